@@ -19,6 +19,7 @@ const kElement = [
   'ray-caster-steering.js',
   'ray-caster-rows.js',
   'ray-caster-more.js',
+  'ray-caster-sound.js',
 ];
 const kPages = ['embed.js', 'play/main.js'];
 const inFolder = (name) => path.resolve(folder, name);
@@ -95,6 +96,8 @@ for (const { script, text } of bundles) {
 const kept = new Set(bundles.map(({ script }) => script));
 const bundled = new Set(bundles.flatMap(({ modules }) => modules));
 for (const module of bundled) {
-  const isOnlyThere = ['element', 'play'].includes(path.relative(folder, path.dirname(module)));
+  const isOnlyThere = ['element', 'play', 'sound'].includes(
+    path.relative(folder, path.dirname(module)),
+  );
   if (isOnlyThere && !kept.has(module)) await rm(module);
 }

@@ -6,8 +6,8 @@
 //                    (engine/allowed.js)
 //     tour           a recording, which names its scene: likewise
 //     poster         an address that the owner allows
-//     view, options, overlay, size, controls, label, keys, interaction, loading, engine, autoplay
-//                    the element's attributes
+//     view, options, overlay, size, controls, label, keys, interaction, loading, engine, autoplay,
+//     sound          the element's attributes
 //     badge=false    no link to the play page
 //     origin         the origin of the page around the frame, to exchange messages with it
 //                    (play/frame-messages.js)
@@ -31,6 +31,7 @@ const kAttributes = [
   'overlay',
   'size',
   'autoplay',
+  'sound',
   'controls',
   'label',
   'keys',

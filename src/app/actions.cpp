@@ -120,6 +120,7 @@ constexpr auto kRows = std::to_array<ActionInfo>({
     {Action::help, "help", program, once, kElement, "KeyH", "these keys"},
     {Action::rate, "rate", program, once, kPage, "KeyI", "frame rate"},
     {Action::pause, "pause", program, once, kElement, "KeyP", "pause"},
+    {Action::sound, "sound", program, once, kElement, "Semicolon", "sound on or off"},
     {Action::fullscreen, "fullscreen", program, once, kElement, "KeyF", "full screen"},
     {Action::record, "record", program, once, kPage, "F9",
      "record from the start; press again to save"},

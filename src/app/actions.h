@@ -75,6 +75,7 @@ enum class Action {
     help,
     rate,
     pause,
+    sound,
     fullscreen,
     record,
     leave,
@@ -112,6 +113,11 @@ struct ActionInfo {
 
 std::span<const ActionInfo> allActions();
 const ActionInfo& infoOf(Action action);
+
+// True for what the program in a window cannot do: it has no sound.
+constexpr bool isOfPagesOnly(Action action) {
+    return action == Action::sound;
+}
 
 // Empty if no action has this name.
 std::optional<Action> findAction(std::string_view name);

@@ -135,6 +135,9 @@ void App::act(Action action) {
         case Action::rate:
             shell_.tell(News::rate, true);
             return;
+        case Action::sound:
+            shell_.tell(News::sound, true);
+            return;
         case Action::fullscreen:
             shell_.tell(News::fullscreen, true);
             return;

@@ -35,6 +35,7 @@ bool isNumberOfThreads(const std::string& text) {
 std::string helpText() {
     std::string text = "Keys:\n";
     for (const KeyHelp& line : KeyBindings().help()) {
+        if (isOfPagesOnly(line.first)) continue;
         std::string keys = keysText(line);
         keys.resize(std::max<std::size_t>(keys.size(), 18), ' ');
         text += "  " + keys + std::string(line.does) + "\n";

@@ -51,7 +51,7 @@ std::vector<std::string> helpPages(const KeyBindings& keys, Size picture) {
     std::vector<std::vector<std::string>> entries;
     int count = 0;
     for (const KeyHelp& line : keys.help()) {
-        if (line.keys.empty()) continue;
+        if (line.keys.empty() || isOfPagesOnly(line.first)) continue;
         entries.push_back(wrapText(keysText(line), line.does, room.width));
         count += static_cast<int>(entries.back().size());
     }

@@ -26,15 +26,17 @@ enum class News {
     overlay,     // yes: some overlay is shown
     help,        // its key was pressed
     rate,        // its key was pressed
+    sound,       // its key was pressed
     fullscreen,  // its key was pressed
     record,      // its key was pressed
 };
 // As a page hears of them.
 inline constexpr Named<News> kNews[] = {
-    {News::ready, "ready"},   {News::pause, "pause"},           {News::pointer, "pointer"},
-    {News::cursor, "cursor"}, {News::recording, "recording"},   {News::replay, "replay"},
-    {News::fly, "fly"},       {News::overlay, "overlay"},       {News::help, "help"},
-    {News::rate, "rate"},     {News::fullscreen, "fullscreen"}, {News::record, "record"}};
+    {News::ready, "ready"},   {News::pause, "pause"},         {News::pointer, "pointer"},
+    {News::cursor, "cursor"}, {News::recording, "recording"}, {News::replay, "replay"},
+    {News::fly, "fly"},       {News::overlay, "overlay"},     {News::help, "help"},
+    {News::rate, "rate"},     {News::sound, "sound"},         {News::fullscreen, "fullscreen"},
+    {News::record, "record"}};
 
 class Shell {
 public:

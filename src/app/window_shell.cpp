@@ -202,6 +202,7 @@ void WindowShell::tell(News news, bool yes) {
         case News::cursor:
         case News::fly:
         case News::overlay:
+        case News::sound:  // the program in a window is silent
             break;
     }
 }

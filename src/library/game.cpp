@@ -154,6 +154,11 @@ std::optional<Pick> Game::pick(int width, int height, int column, int row) {
     return pick;
 }
 
+std::vector<Sound> Game::hear() {
+    const std::span<const Sound> heard = state_->session.hear();
+    return {heard.begin(), heard.end()};
+}
+
 std::optional<ScreenPoint> Game::project(double x, double y, double z, int width,
                                          int height) const {
     if (!isPictureSize(width, height)) return std::nullopt;

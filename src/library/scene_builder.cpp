@@ -2,6 +2,7 @@
 
 #include "base/words.h"
 #include "scene/limits.h"
+#include "world/material.h"
 #include "world/world.h"
 
 #include <algorithm>
@@ -167,7 +168,9 @@ SceneBuilder::Texture SceneBuilder::texture(std::string name, const Image& image
         state.refuse(where, "one more texture", {"at most ", kMaxTextures});
         return {};
     }
+    const Material material = materialOfName(name).value_or(Material::stone);
     state.world.textures.push_back(makeTexture(std::move(name), image));
+    state.world.textures.back().material = material;
     return {static_cast<int>(state.world.textures.size()) - 1};
 }
 

@@ -29,7 +29,8 @@ struct TextureReference {
     ImageReference image;
     std::optional<Colour> colour;
     int frames = 1;
-    double rate = 0.0;  // frames per second
+    double rate = 0.0;                    // frames per second
+    Material material = Material::stone;  // of textures only
 };
 
 // A lamp within a block. If the block turns out to be opaque, the lamp is of no use.

@@ -191,6 +191,7 @@ LoadedScene loadScene(ParsedScene scene, const SceneFiles& files, EarlyImages ea
     for (std::size_t i = 0; i < world.textures.size(); ++i) {
         world.textures[i] =
             reader.texture(description.textures[i], std::move(world.textures[i].name));
+        world.textures[i].material = description.textures[i].material;
     }
     for (std::size_t i = 0; i < world.sprites.size(); ++i)
         world.sprites[i] = reader.sprite(description.sprites[i], std::move(world.sprites[i].name));

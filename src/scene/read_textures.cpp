@@ -1,6 +1,7 @@
 #include "base/name_index.h"
 #include "scene/limits.h"
 #include "scene/readers.h"
+#include "world/material.h"
 #include "world/variants.h"
 
 #include <cmath>
@@ -51,17 +52,18 @@ ImageReference referTo(const Checker& checker, JsonValue value, std::string file
 }
 
 // An object with a file may say more: { "file": "lava.png", "frames": 8, "rate": 10 } or, held at
-// its first frame, { "file": "door.png", "frames": 8 } or, of a texture, { "file": "brick.png",
-// "variants": ["mossy"] }.
+// its first frame, { "file": "door.png", "frames": 8 } or, of a texture, { "file": "oak.png",
+// "material": "wood" } or { "file": "brick.png", "variants": ["mossy"] }.
 TextureReference readPicture(Checker& checker, JsonValue value, bool isTexture) {
     TextureReference picture;
+    std::optional<Material> material;
     if (isTexture && value.isText() && value.text().substr(0, 1) == "#") {
         picture.image = referTo(checker, value, std::string(value.text()));
         picture.colour = checker.colour(value).value_or(Colour{});
     } else if (!value.isObject()) {
         picture.image = referTo(checker, value, readFileName(checker, value).value_or(""));
     } else {
-        std::vector<std::string_view> keys = {"file", "frames", "rate", "variants"};
+        std::vector<std::string_view> keys = {"file", "frames", "rate", "material", "variants"};
         if (!isTexture) keys.resize(3);
         const auto fields = checker.fields(
             value, keys, "a PNG file's name, or an object with \"file\" and \"frames\"");
@@ -73,7 +75,9 @@ TextureReference readPicture(Checker& checker, JsonValue value, bool isTexture) 
         constexpr NumberRange kRate = {0.0, kMaxFrameRate, true,
                                        "a number of frames per second, above 0 and at most 120"};
         const auto rate = fields->find("rate");
-        const bool isSheet = rate || !(isTexture && fields->find("variants"));
+        const bool hasMaterial = isTexture && fields->find("material");
+        if (hasMaterial) material = fields->choice("material", kMaterialNames, Material::stone);
+        const bool isSheet = rate || !(hasMaterial || (isTexture && fields->find("variants")));
         if (const auto frames =
                 isSheet ? fields->require("frames", kFrames.words) : fields->find("frames")) {
             const double count = checker.number(*frames, kFrames).value_or(2.0);
@@ -82,6 +86,10 @@ TextureReference readPicture(Checker& checker, JsonValue value, bool isTexture) 
         }
         if (rate) picture.rate = checker.number(*rate, kRate).value_or(1.0);
     }
+    // The names tell it else: the texture's, then the file's.
+    if (!material) material = materialOfName(value.key());
+    if (!material) material = materialOfName(picture.image.file);
+    picture.material = material.value_or(Material::stone);
     return picture;
 }
 
@@ -134,9 +142,9 @@ void readTextures(Reading& reading, JsonValue value) {
         TextureReference reference = readPicture(checker, member, true);
         const auto next = static_cast<std::uint32_t>(reading.description.textures.size());
         const std::uint32_t id = ids.add(
-            sheets.emplace_back(words(reference.image.file, "\n", reference.frames, " ",
-                                      Shortest{reference.rate}, " ",
-                                      variantsOf(member) ? member.key() : "")),
+            sheets.emplace_back(words(
+                reference.image.file, "\n", reference.frames, " ", Shortest{reference.rate}, " ",
+                static_cast<int>(reference.material), " ", variantsOf(member) ? member.key() : "")),
             next);
         if (id == next) {
             Texture texture;

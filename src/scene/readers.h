@@ -75,11 +75,11 @@ struct Reading {
     FoundValue variants = {};                           // the last list of variants
 };
 
-// "textures": { NAME: FILE, "#rrggbb" or { file, frames, rate, variants } }; a sheet without a rate
-// is held at its first frame
+// "textures": { NAME: FILE, "#rrggbb" or { file, frames, rate, material, variants } }; a sheet without
+// a rate is held at its first frame
 void readTextures(Reading& reading, JsonValue value);
 
-// A file or a sheet of frames; a texture may also be a colour.
+// A file or a sheet of frames; a texture may also be a colour, and has a material.
 TextureReference readPicture(Checker& checker, JsonValue value, bool isTexture);
 
 // "sprites": { NAME: FILE or { file, frames, rate } }

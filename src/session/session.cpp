@@ -93,6 +93,7 @@ void Session::step(const Input& input) {
     stepAround(gateAsk(kept));
     stepObjects(world_);
     stepPlayer(world_, player_, playerInput(kept, options_));
+    if (hearing_) hearing_->step(world_, previous_, player_);
     ++steps_;
     world_.seconds = static_cast<double>(steps_ - beganAt_) * kStepSeconds;
 }
@@ -232,6 +233,11 @@ void Session::setHeading(double degrees) {
         recorder_->add(RecordedHeading{static_cast<int>(kept * kRecordedDegree)});
     slicecast::setHeading(player_, kept);
     previous_.headingDegrees = player_.headingDegrees;
+}
+
+std::span<const Sound> Session::hear() {
+    if (!hearing_) hearing_.emplace();
+    return hearing_->take(world_, player_);
 }
 
 void Session::setFlying(bool flying) {

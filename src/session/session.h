@@ -22,11 +22,13 @@
 #include "slicecast/input.h"
 #include "slicecast/picture.h"
 #include "world/body.h"
+#include "world/hearing.h"
 #include "world/player.h"
 #include "world/world.h"
 
 #include <cstdint>
 #include <functional>
+#include <optional>
 #include <span>
 #include <string>
 #include <string_view>
@@ -74,6 +76,11 @@ public:
     void levelLook();
     void setHeading(double degrees);
     void setFlying(bool flying);
+    // What the player hears: what sounded once since the last call, and what lasts now. The first
+    // call begins to listen; before it, steps spend no time on this. Valid until the next step. See
+    // world/hearing.h.
+    std::span<const Sound> hear();
+
     // Puts the player's eye somewhere else, flying, for tools; also outside the grid and inside
     // blocks. Returns false and changes nothing if the eye would see nothing: no such map, at or
     // below the floor, look beyond kMaxLook, or a heading that is NaN or infinite.
@@ -155,6 +162,7 @@ private:
     Player previous_;   // before the last step; equals player_ after a leap
     Input heldBefore_;  // of the last step, to tell a new press from a held key
     std::vector<Body> bodies_;
+    std::optional<Hearing> hearing_;
     SessionRenderer renderer_;
     FrameReport classicReport_;  // of what the classic method drew in the last picture
     SlowDrawing slowDrawing_;

@@ -16,6 +16,7 @@
 #include "session/session.h"
 #include "session/spot.h"
 #include "session/trace_json.h"
+#include "world/hearing.h"
 
 #include <emscripten/emscripten.h>
 #include <unistd.h>
@@ -53,8 +54,9 @@ struct SlicecastSession {
     Image picture;
     std::string answer;
     PackedValues packed;
-    double view[6] = {};        // of slicecast_view
-    double spot[4] = {};        // of slicecast_project and slicecast_spot
+    double view[6] = {};                        // of slicecast_view
+    double heard[1 + 4 * Hearing::kMost] = {};  // of slicecast_hear
+    double spot[4] = {};                        // of slicecast_project and slicecast_spot
     uint32_t supplied[2] = {};  // address and bytes of the pixels of slicecast_supply
 
     Session* game() const { return ofProgram ? pageProgram().game() : own.get(); }
@@ -395,6 +397,20 @@ EMSCRIPTEN_KEEPALIVE const char* slicecast_state(SlicecastSession* session) {
         .key("fingerprint")
         .text(hexText(game->fingerprint(), 16));
     return session->give(json.endObject().str());
+}
+
+EMSCRIPTEN_KEEPALIVE const double* slicecast_hear(SlicecastSession* session) {
+    double* out = session->heard + 1;
+    if (Session* game = session->game()) {
+        for (const Sound& sound : game->hear()) {
+            *out++ = static_cast<double>(sound.kind);
+            *out++ = static_cast<double>(sound.material);
+            *out++ = sound.gain;
+            *out++ = sound.pan;
+        }
+    }
+    session->heard[0] = static_cast<double>(out - session->heard - 1);
+    return session->heard;
 }
 
 EMSCRIPTEN_KEEPALIVE const double* slicecast_view(SlicecastSession* session) {

@@ -36,6 +36,7 @@
 //                                 every change; initially false
 //     "help"        true          H was pressed: the page shows or hides the keys
 //     "rate"        true          I was pressed: the page shows or hides the frame rate
+//     "sound"       true          ; was pressed: the page switches its sound on or off
 //     "fullscreen"  true          F was pressed: the page enters or leaves full screen
 //     "record"      true          F9 was pressed: the page reopens the scene and records it, or
 //                                 saves the recording
@@ -163,6 +164,12 @@ const char* slicecast_state(SlicecastSession* session);
 // The eye after the last step, fast enough for every frame: map number, x, y, z, heading, look, as
 // in slicecast_state. Valid until the session's next slicecast_view. Null without a game.
 const double* slicecast_view(SlicecastSession* session);
+
+// What the player hears, first what sounded once since the last call, then what lasts now: how many
+// numbers follow, then for each sound its kind, material, gain and pan. Order, ranges and limits as
+// in slicecast/sound.h and world/hearing.h. The first call begins to listen. Valid until the
+// session's next slicecast_hear; no sounds without a game.
+const double* slicecast_hear(SlicecastSession* session);
 
 // Starts to record the game, which must have just begun. `sceneName` is the name of the scene's
 // file without its extension. Does nothing without a game.

@@ -87,6 +87,7 @@ bool isInUse(World& world, const Gate& gate, std::span<Body> bodies) {
 
 void stepGate(World& world, Gate& gate, std::span<Body> bodies, const GateAsk& ask) {
     const GateKind& kind = world.gateKinds[static_cast<std::size_t>(gate.kind)];
+    gate.previousProgress = gate.progress;
     obey(gate, kind, ask);
     if (kind.opensOnApproach) updateApproach(gate, kind, bodies);
     if (gate.progress == (gate.wantsOpen ? kind.steps : 0)) return;
@@ -115,7 +116,7 @@ void resetGates(World& world) {
     for (Gate& gate : world.gates) {
         const GateKind& kind = world.gateKinds[static_cast<std::size_t>(gate.kind)];
         gate.wantsOpen = kind.startsOpen;
-        gate.progress = kind.startsOpen ? kind.steps : 0;
+        gate.progress = gate.previousProgress = kind.startsOpen ? kind.steps : 0;
         gate.isNear = false;
         gate.awaySteps = kind.holdSteps;
         show(world, gate, kind);

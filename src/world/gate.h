@@ -65,7 +65,8 @@ struct Gate {
     std::vector<GateBox> boxes;
     Box bounds;  // around all boxes
     std::vector<GateFace> faces;
-    int progress = 0;  // steps, 0 is closed
+    int progress = 0;          // steps, 0 is closed
+    int previousProgress = 0;  // before the last step
     bool wantsOpen = false;
     bool isNear = false;      // a body is within `approach`
     int awaySteps = 0;        // steps since the last body left

@@ -66,6 +66,7 @@ TextureId framesOf(World& world, TextureId sheet) {
         texture.name = world.textures[sheet].name;
         texture.levels = std::move(levels);
         texture.seeThrough = world.textures[sheet].seeThrough;
+        texture.material = world.textures[sheet].material;
         world.textures.push_back(std::move(texture));
     }
     return later;

@@ -10,6 +10,7 @@
 #pragma once
 
 #include "base/image.h"
+#include "slicecast/sound.h"
 #include "world/texel_runs.h"
 
 #include <string>
@@ -32,6 +33,7 @@ struct Texture {
     std::vector<std::vector<TextureLevel>> laterFrames;
     double rate = 0.0;        // frames per second, repeating; 0 for a single or held frame
     bool seeThrough = false;  // a texel has alpha below 255
+    Material material = Material::stone;
 
     int size() const { return levels[0].size; }
     int frames() const { return 1 + static_cast<int>(laterFrames.size()); }
@@ -56,7 +58,7 @@ std::vector<Pixel> halved(const std::vector<Pixel>& columns, int height);
 int frameAt(double seconds, double rate, int frames);
 
 // Makes the levels of a square image whose side is a power of two, or of a sheet of `frames` such
-// images side by side.
+// images side by side. Of stone.
 Texture makeTexture(std::string name, const Image& image, int frames = 1, double rate = 0.0);
 
 }  // namespace slicecast

@@ -40,6 +40,10 @@ TEST(HelpPages, FitThePicture) {
         all = withoutBreaks(all);
         for (const KeyHelp& line : KeyBindings().help()) {
             if (line.keys.empty()) continue;
+            if (isOfPagesOnly(line.first)) {
+                EXPECT_EQ(all.find(std::string(line.does)), std::string::npos) << line.does;
+                continue;
+            }
             EXPECT_NE(all.find(keysText(line) + ' ' + std::string(line.does)), std::string::npos)
                 << line.does << " in " << picture.width;
         }

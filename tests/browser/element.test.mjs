@@ -226,6 +226,7 @@ test('attributes and properties reflect each other, even if set before the eleme
     options: '',
     overlay: '',
     autoplay: false,
+    sound: false,
     tour: '',
     base: '',
     poster: '',

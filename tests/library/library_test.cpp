@@ -169,6 +169,26 @@ TEST(Library, PicksWhatItProjects) {
     EXPECT_EQ(sky->depth, std::numeric_limits<double>::infinity());
 }
 
+TEST(Library, TellsWhatThePlayerHears) {
+    SceneBuilder builder("Floor");
+    const auto boards = builder.colour("old boards", {160, 120, 80});
+    const auto room =
+        builder.map({.name = "room", .width = 8, .depth = 3, .levels = 1, .floor = boards});
+    builder.start(room, {.x = 1.5, .y = 1.5});
+    Game game(std::move(*std::move(builder).build().scene));
+    const auto steps = [&game] {
+        const std::vector<Sound> heard = game.hear();
+        return std::count_if(heard.begin(), heard.end(), [](const Sound& sound) {
+            return sound.kind == SoundKind::step && sound.material == Material::wood;
+        });
+    };
+    for (int step = 0; step < 120; ++step) game.step({.forward = 1.0});
+    EXPECT_EQ(steps(), 0) << "the first call begins to listen";
+    for (int step = 0; step < 120; ++step) game.step({.forward = -1.0});
+    EXPECT_GT(steps(), 0);
+    EXPECT_EQ(steps(), 0) << "each sound once";
+}
+
 TEST(Library, SetsOptionsAndCells) {
     Game game = corridor();
     EXPECT_EQ(game.setOption("fov", "90"), "");

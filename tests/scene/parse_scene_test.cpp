@@ -41,7 +41,7 @@ TEST(ParseScene, ReadsEveryKey) {
     EXPECT_EQ(world.title, "Everything \xe2\x80\x94 ein W\xc3\xbcrfel");
 
     // Two names of one file are one texture.
-    ASSERT_EQ(world.textures.size(), 8u);  // with the two further frames of the door
+    ASSERT_EQ(world.textures.size(), 10u);  // with the two further frames of the door
     EXPECT_EQ(world.textures[0].size(), 8);
     EXPECT_EQ(world.textures[0].levels.size(), 4u);
     EXPECT_EQ(world.textures[1].size(), 16);
@@ -61,6 +61,14 @@ TEST(ParseScene, ReadsEveryKey) {
     for (const TextureLevel& level : red.levels)
         for (const Pixel texel : level.texels)
             EXPECT_EQ(toColour(texel), (Colour{0xc0, 0x30, 0x20, 255}));
+
+    // Their materials, by key, by name, or stone. Another material makes another texture.
+    const std::vector<Material> materials = {Material::stone, Material::stone, Material::stone,
+                                             Material::wood,  Material::stone, Material::metal,
+                                             Material::grass, Material::stone, Material::wood,
+                                             Material::wood};
+    for (std::size_t i = 0; i < materials.size(); ++i)
+        EXPECT_EQ(world.textures[i].material, materials[i]) << world.textures[i].name;
 
     ASSERT_GE(world.blueprints.size(), 9u);
     const BlueprintId wall = 1;
@@ -398,9 +406,9 @@ TEST(ParseScene, ReadsMotionsAndGates) {
     EXPECT_TRUE(open.seeThrough);
     EXPECT_EQ(shut.face(Face::north).texture, 3);
     EXPECT_EQ(shut.face(Face::east).texture, 3);
-    EXPECT_EQ(open.face(Face::north).texture, 7);
+    EXPECT_EQ(open.face(Face::north).texture, 9);
     EXPECT_EQ(open.face(Face::east).texture, 1);
-    EXPECT_EQ(world.textures[7].size(), world.textures[3].size());
+    EXPECT_EQ(world.textures[9].size(), world.textures[3].size());
 }
 
 TEST(ParseScene, UsesDefaultsForMissingKeys) {

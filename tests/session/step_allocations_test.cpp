@@ -69,6 +69,7 @@ TEST(Allocations, NoneAfterTheFirstStep) {
     }
     startObjects(world);
     Session session(std::move(world));
+    EXPECT_FALSE(session.hear().empty()) << "somebody listens, too";
     session.step({});
     const long before = allocations;
     std::size_t mostElsewhere = 0;

@@ -9,7 +9,7 @@ import { parseOptions, parseOverlay, parseView, wordsOf } from '../engine/addres
 import { nearestName, unknown } from '../engine/nearest-name.js';
 import { kLargestSide } from './stage.js';
 
-export const kButtons = ['play', 'reset', 'overlay', 'save', 'share', 'fullscreen'];
+export const kButtons = ['play', 'reset', 'overlay', 'sound', 'save', 'share', 'fullscreen'];
 
 const kLeastPercent = 10; // of the box, as a size
 
@@ -25,6 +25,7 @@ const kStandard = {
   options: '',
   overlay: '',
   autoplay: false,
+  sound: false,
   tour: '',
   base: '',
   poster: '',
@@ -82,7 +83,7 @@ export function reflectAttributes(prototype) {
 }
 
 export function takeEarlyProperties(element) {
-  for (const name of kAttributes) {
+  for (const name of [...kAttributes, 'muted']) {
     if (!Object.hasOwn(element, name)) continue;
     const value = element[name];
     delete element[name];

@@ -15,6 +15,9 @@ export function barActions(host, show) {
     play: () => (host.paused ? show.hold() : host.pause()),
     reset: () => host.reset(),
     overlay: () => toggleOverlays(host, show),
+    sound: () => {
+      show.muted = !show.muted;
+    },
     save: () => save(host, show),
     share: () => share(host, show),
     fullscreen: () => toggleFullScreen(host, show),

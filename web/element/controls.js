@@ -2,7 +2,7 @@
 //
 //     const controls = new Controls(bar, actions);
 //     controls.show(['play', 'reset']);                             // or null for none
-//     controls.state({isReady, isPlaying, hasOverlay, isFullscreen});
+//     controls.state({isReady, isPlaying, hasOverlay, isFullscreen, isMuted});
 //
 // `actions` maps each button's name to a function.
 
@@ -13,6 +13,7 @@ const kNames = {
   play: 'Play',
   reset: 'Back to the start',
   overlay: 'Map and panels',
+  sound: 'Sound',
   save: 'Save the picture',
   share: 'Copy the tag',
   fullscreen: 'Full screen',
@@ -52,11 +53,13 @@ export class Controls {
   state(state) {
     this.#state = state;
     const { isReady = false, isPlaying = false, hasOverlay = false, isFullscreen = false } = state;
+    const { isMuted = false } = state;
     for (const [name, button] of this.#buttons)
       button.disabled = !isReady && name !== 'play' && name !== 'fullscreen';
     this.#set('play', isPlaying ? 'Pause' : 'Play', isPlaying ? 'pause' : 'play');
     this.#set('fullscreen', isFullscreen ? 'Leave full screen' : kNames.fullscreen, 'fullscreen');
     this.#buttons.get('overlay')?.setAttribute('aria-pressed', String(hasOverlay));
+    this.#set('sound', isMuted ? 'Sound on' : 'Sound off', isMuted ? 'silence' : 'sound');
   }
 
   #make(name) {

@@ -140,6 +140,14 @@ export class RayCaster extends Base {
     this.#show.mouse = { ...this.mouse, ...mouse };
   }
 
+  get muted() {
+    return this.#show.muted;
+  }
+
+  set muted(muted) {
+    this.#show.muted = muted;
+  }
+
   get optionList() {
     return this.#ready?.options ?? [];
   }

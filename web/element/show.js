@@ -51,6 +51,7 @@ export class Show {
   #pace = null; // after kFramesToPace frames
   #frames = 0; // drawn before that
   #mouse = { speed: 1, invert: false };
+  #isMuted = false;
   #waiting = null; // of whenReady(): {promise, resolve, reject}
   #loading = null; // while connected
   #noSteering = null; // why the bar could not load
@@ -515,6 +516,7 @@ export class Show {
       isPlaying: this.state === 'playing',
       hasOverlay,
       isFullscreen: this.#host.matches(':fullscreen'),
+      isMuted: this.muted,
     });
   }
 
@@ -540,6 +542,17 @@ export class Show {
 
   get mouse() {
     return this.#mouse;
+  }
+
+  set muted(muted) {
+    if (this.#isMuted === Boolean(muted)) return;
+    this.#isMuted = !this.#isMuted;
+    this.showState();
+    this.tell('modechange', { mode: 'sound', on: !this.#isMuted });
+  }
+
+  get muted() {
+    return this.#isMuted;
   }
 
   #setMouse() {

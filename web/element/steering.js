@@ -8,6 +8,7 @@
 import { Activation } from './activation.js';
 import { barActions, toggleFullScreen } from './bar-actions.js';
 import { Controls } from './controls.js';
+import { Hearing } from './hearing.js';
 import { icon } from './icons.js';
 import { KeySheet } from './key-sheet.js';
 import { node } from './nodes.js';
@@ -26,6 +27,7 @@ export class Steering {
   #activation;
   #controls;
   #keySheet;
+  #hearing;
 
   constructor(host, show, tree, styles) {
     this.#host = host;
@@ -59,6 +61,7 @@ export class Steering {
     tree.progress.before(tree.leave, bar);
     tree.message.before(keys);
     this.#controls = new Controls(bar, barActions(host, show));
+    this.#hearing = new Hearing(host, show);
     this.#keySheet = new KeySheet(keys, {
       behind: [tree.stage, tree.cover, bar],
       closed: () => this.focus(),
@@ -75,13 +78,16 @@ export class Steering {
   }
 
   attributes({ controls, keys, interaction }) {
-    this.#controls.show(controls);
+    const { sound } = this.#host;
+    this.#controls.show(controls?.filter((name) => name !== 'sound' || sound) ?? null);
+    this.#hearing.update();
     this.#activation.setKeys(keys);
     this.#activation.setInteraction(interaction);
   }
 
   state(state) {
     this.#controls.state(state);
+    this.#hearing.update();
   }
 
   begin(options) {
@@ -128,12 +134,21 @@ export class Steering {
       case 'help':
         if (!this.#ask(event)) break;
         this.#host.pause();
-        this.#keySheet.open(this.#show.engine.keys);
+        this.#keySheet.open(this.#keys);
+        break;
+      case 'sound':
+        if (this.#host.sound) this.#show.muted = !this.#show.muted;
         break;
       case 'fullscreen':
         if (this.#ask(event)) toggleFullScreen(this.#host, this.#show);
         break;
     }
+  }
+
+  // Without sound there is no key for it.
+  get #keys() {
+    const { keys } = this.#show.engine;
+    return this.#host.sound ? keys : keys.filter(({ actions }) => actions[0]?.name !== 'sound');
   }
 
   // Returns false if the page handles the request itself.
@@ -150,6 +165,7 @@ export class Steering {
           ? kHints.keys
           : kHints.held,
     );
+    this.#hearing.update(isHeld);
     this.#show.run();
     this.#show.tell('enterchange', { entered: isHeld });
   }

@@ -231,6 +231,14 @@ export class Engine {
     return { map: this.#mapNames[map], x, y, z, heading, look };
   }
 
+  // What the player hears, from the first call on, as numbers for web/sound/heard.js.
+  get heard() {
+    const { HEAPU8, _slicecast_hear: hear } = this.#module;
+    const at = hear(this.#session);
+    const [count] = new Float64Array(HEAPU8.buffer, at, 1);
+    return new Float64Array(HEAPU8.buffer, at + 8, count).slice();
+  }
+
   // Where a place {x, y, z, map} appears in the last picture, scaled to {width, height}: {x, y,
   // depth, isSeen}; null if it is behind the eye or in another map. `map` is a name; null means the
   // map of the start.

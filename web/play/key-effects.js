@@ -44,6 +44,7 @@ export function listenForEffects(caster, toast) {
   };
   caster.addEventListener('keydown', listen, { capture: true });
   caster.addEventListener('modechange', ({ detail: { mode, on } }) => {
+    if (mode === 'sound' && caster.entered) toast.show(on ? 'Sound on' : 'Sound off');
     if (mode === 'fly' && caster.entered)
       toast.show(
         on

@@ -52,10 +52,14 @@ function start() {
     else if (name === 'rate') find('rate').hidden = !value;
     else if (name === 'mouse') caster.mouse = { speed: value };
     else if (name === 'invert') caster.mouse = { invert: value };
+    else if (name === 'sound') caster.muted = !value;
     else options.set(name, value);
   }
   for (const name of settings.names) apply(name, settings.value(name));
   caster.addEventListener('ready', () => settings.ranges(caster.optionList));
+  caster.addEventListener('modechange', ({ detail: { mode, on } }) => {
+    if (mode === 'sound') settings.set('sound', on);
+  });
 
   showSize(caster, find('size-now'));
   const share = new ShareDialog(find('share'));

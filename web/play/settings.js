@@ -22,9 +22,10 @@ const kStandard = {
   rate: false, // whether to show the frame rate
   mouse: 1, // factor for the mouse's sensitivity
   invert: false, // whether moving the mouse forward looks down
+  sound: true,
 };
 
-const kOfPage = ['size', 'rate', 'mouse', 'invert']; // the others are options of the engine
+const kOfPage = ['size', 'rate', 'mouse', 'invert', 'sound']; // the others are options of the engine
 
 const kShown = {
   fov: (value) => `${value}°`,

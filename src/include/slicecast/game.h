@@ -12,6 +12,7 @@
 #include "slicecast/input.h"
 #include "slicecast/picture.h"
 #include "slicecast/scene.h"
+#include "slicecast/sound.h"
 
 #include <cstdint>
 #include <memory>
@@ -144,6 +145,11 @@ public:
 
     // The nearest thing at a pixel of a picture of this size; nothing if there is no such pixel.
     std::optional<Pick> pick(int width, int height, int column, int row);
+
+    // What the player hears: first what sounded once since the last call, at most 32 sounds, then
+    // what lasts now, one of each kind. Call it once for each picture, and make the
+    // sounds by whatever means; the library makes none. The first call begins to listen.
+    std::vector<Sound> hear();
 
     // Where a point of the player's map (units) appears in a picture of this size, hidden or not.
     // Nothing for a point that is not in front of the eye, and if there is no such picture.

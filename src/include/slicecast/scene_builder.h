@@ -107,7 +107,8 @@ public:
     SceneBuilder& operator=(const SceneBuilder&) = delete;
 
     // A square image whose side is a power of two from 8 to 1024. Pixels with alpha below 255 are
-    // see-through.
+    // see-through. Here and below, the first telling word of the name says the material ("planks"
+    // is wood, see web/docs/scenes.md); without one it is stone.
     Texture texture(std::string name, const Image& image);
     // A texture of one opaque colour.
     Texture colour(std::string name, Colour colour);

@@ -34,3 +34,4 @@
 #include "slicecast/save_image.h"
 #include "slicecast/scene.h"
 #include "slicecast/scene_builder.h"
+#include "slicecast/sound.h"
