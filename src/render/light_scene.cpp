@@ -73,18 +73,28 @@ std::uint64_t LightScene::stateOf(int x, int y) const {
          levels &= levels - 1) {
         const BlueprintId id = map_->cell(x, y, std::countr_zero(levels));
         const CellBlueprint& block = world_->blueprints[id];
-        const Heights heights = heightsOf(block);
+        const Extent extent = extentOf(block);
         add(id);
-        add(static_cast<std::uint64_t>(heights.bottom) << 32 |
-            static_cast<std::uint64_t>(heights.top));
+        for (std::size_t axis = 0; axis < 3; ++axis)
+            add(static_cast<std::uint64_t>(extent.low[axis]) << 32 |
+                static_cast<std::uint64_t>(extent.high[axis]));
         for (const FaceBlueprint& face : block.faces) add(face.texture);
     }
     return state;
 }
 
-LightScene::Heights LightScene::heightsOf(const CellBlueprint& block) {
-    if (block.mover < 0) return {block.bottom.raw, block.top.raw};
-    return {floored(block.bottom.raw), floored(block.top.raw + kQuarterUnit - 1)};
+// A moving block reaches to quarters of units along its motion, so that it seldom changes.
+LightScene::Extent LightScene::extentOf(const CellBlueprint& block) const {
+    Extent extent = {{block.plan.west.raw, block.plan.north.raw, block.bottom.raw},
+                     {block.plan.east.raw, block.plan.south.raw, block.top.raw}};
+    if (block.mover < 0) return extent;
+    const Axis axis =
+        block.motion < 0 ? Axis::z : world_->motions[static_cast<std::size_t>(block.motion)].axis;
+    std::int32_t& low = extent.low[static_cast<std::size_t>(axis)];
+    std::int32_t& high = extent.high[static_cast<std::size_t>(axis)];
+    low = floored(low);
+    high = floored(high + kQuarterUnit - 1);
+    return extent;
 }
 
 // ---- Lamps
@@ -203,11 +213,15 @@ bool LightScene::findArea(const LitFaceAt& at, LitArea& area) const {
     if (!map_->isOccupied(at.x, at.y, at.level)) return false;
     const CellBlueprint& block = world_->blueprints[map_->cell(at.x, at.y, at.level)];
     const Plan& plan = block.plan;
-    const Heights heights = heightsOf(block);
     const std::int32_t base = tileEdge(at.level).raw;
     const LightVector tile = {west, north, base};
-    const LightVector low = {west + plan.west.raw, north + plan.north.raw, base + heights.bottom};
-    const LightVector high = {west + plan.east.raw, north + plan.south.raw, base + heights.top};
+    const Extent extent = extentOf(block);
+    LightVector low = extent.low;
+    LightVector high = extent.high;
+    for (std::size_t axis = 0; axis < 3; ++axis) {
+        low[axis] += tile[axis];
+        high[axis] += tile[axis];
+    }
     const auto face = static_cast<Face>(at.face);
     const bool isCutFace = plan.half != Half::none && face == cutFace(plan.half);
     if (plan.half != Half::none && at.face <= LitFace::west && !isCutFace &&
@@ -270,11 +284,10 @@ bool LightScene::isInOpaque(const LightVector& point) {
     const auto within = [](std::int32_t raw, std::int32_t low, std::int32_t high) {
         return (raw & 0xffff) >= low && (raw & 0xffff) < high;
     };
-    const Heights heights = heightsOf(block);
-    if (!within(point[0], block.plan.west.raw, block.plan.east.raw) ||
-        !within(point[1], block.plan.north.raw, block.plan.south.raw) ||
-        !within(point[2], heights.bottom, heights.top))
-        return false;
+    const Extent extent = extentOf(block);
+    for (std::size_t axis = 0; axis < 3; ++axis) {
+        if (!within(point[axis], extent.low[axis], extent.high[axis])) return false;
+    }
     return eachCut(block, {tileEdge(x).raw, tileEdge(y).raw, tileEdge(level).raw},
                    [&](const LightCut& cut) { return cut.contains(point); });
 }

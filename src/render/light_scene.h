@@ -134,10 +134,10 @@ public:
     const World& world() const { return *world_; }
 
 private:
-    // A block's heights within its level.
-    struct Heights {
-        std::int32_t bottom;
-        std::int32_t top;
+    // A block's box within its cell: its ends along x, y and z.
+    struct Extent {
+        LightVector low;
+        LightVector high;
     };
     // A moment of a way: num / den of its vector. Of equal ones the one with less `late` is
     // earlier: samples count as moved by an infinitely small step.
@@ -161,7 +161,7 @@ private:
                        : Moment{std::int64_t{from} - at, -std::int64_t{way}, 3 - axis};
     }
     static CutMoment cutMoment(const Moment& moment);
-    static Heights heightsOf(const CellBlueprint& block);
+    Extent extentOf(const CellBlueprint& block) const;
     static bool isCut(const CellBlueprint& block) {
         return block.plan.half != Half::none || block.slopes.any();
     }

@@ -167,9 +167,9 @@ bool LightScene::meetTile(Way& way, int x, int y, const Stretch& over) {
         const CellBlueprint& block = world_->blueprints[map_->cell(x, y, level)];
         if (!block.seeThrough && block.isBox()) {
             // Most are passed, or met, by more than could be rounded
-            const Heights heights = heightsOf(block);
-            const double bottom = tileEdge(level).raw + heights.bottom;
-            const double top = tileEdge(level).raw + heights.top;
+            const Extent extent = extentOf(block);
+            const double bottom = tileEdge(level).raw + extent.low[2];
+            const double top = tileEdge(level).raw + extent.high[2];
             if (high < bottom || low > top) continue;
             if ((first > bottom + 2.0 && first < top - 2.0) ||
                 (second > bottom + 2.0 && second < top - 2.0))
@@ -183,10 +183,8 @@ bool LightScene::meetTile(Way& way, int x, int y, const Stretch& over) {
 // The same for one block.
 bool LightScene::meetBlock(Way& way, const CellBlueprint& block, int x, int y, int level,
                            const Moment& enter, const Moment& leave) {
-    const Heights heights = heightsOf(block);
     const LightVector tile = {tileEdge(x).raw, tileEdge(y).raw, tileEdge(level).raw};
-    const LightVector low = {block.plan.west.raw, block.plan.north.raw, heights.bottom};
-    const LightVector high = {block.plan.east.raw, block.plan.south.raw, heights.top};
+    const auto [low, high] = extentOf(block);
     Moment in = enter;
     Moment out = {1, 0, 0};
     int outAxis = 2;

@@ -46,9 +46,6 @@ std::int32_t middleOf(int texel, int size) {
 }
 
 // How far behind the lower node of its square a texel is, of 128.
-std::uint32_t weightOf(std::uint32_t texel, int bits) {
-    return ((2 * texel + 1) << 7 >> bits) & 127;
-}
 U32x4 weightOf(U32x4 texel, int bits) {
     return ((2 * texel + 1) << 7 >> bits) & 127;
 }
@@ -142,24 +139,29 @@ int fetchLit(Pixel* out, int first, int last, const LitSquare& square, const Pla
 }
 
 Pixel litTexelAt(const Pixel* texels, int bits, const FaceNodes& nodes, std::uint32_t east,
-                 std::uint32_t south, bool southReversed) {
-    if (bits == 0) return litTexel(texels[0], inSteps((U32x4)bytesInTurn(nodes.middle(), 0) << 14));
-    const std::uint32_t u = east >> (32 - bits);
-    const std::uint32_t v = south >> (32 - bits);
-    const std::uint32_t reverse = southReversed ? (1u << bits) - 1 : 0;
-    const Pixel* const square =
-        nodes.nodes.data() +
-        FaceNodes::index(static_cast<int>(east >> 31), static_cast<int>(south >> 31), 0, 0);
-    const U32x4 alongA = weights(weightOf(u, bits));
-    const Rgba sum = between(between(square[0], square[2], alongA),
-                             between(square[1], square[3], alongA), weights(weightOf(v, bits)));
+                 std::uint32_t south, const TexelLay& lay) {
+    const std::uint32_t u = texelIn(east, lay.east, bits);
+    const std::uint32_t v = texelIn(south, lay.south, bits);
+    const std::uint32_t reverse = lay.southReversed ? (1u << bits) - 1 : 0;
+    const auto placeOf = [&](std::uint32_t texel, Coordinate shift) {
+        return (middleOf(static_cast<int>(texel), 1 << bits) + shift.raw) & 65535;
+    };
+    const std::int32_t a = placeOf(u, lay.east);
+    const std::int32_t b = placeOf(v, lay.south);
+    const Pixel* const square = nodes.nodes.data() + FaceNodes::index(a >> 15, b >> 15, 0, 0);
+    const auto weightsOf = [](std::int32_t place) {
+        return weights(static_cast<std::uint32_t>((place & 32767) >> 8));
+    };
+    const Rgba sum = between(between(square[0], square[2], weightsOf(a)),
+                             between(square[1], square[3], weightsOf(a)), weightsOf(b));
     return litTexel(texels[(u << bits) | (v ^ reverse)], inSteps(sum + 8192));
 }
 
 void lightColumn(Pixel* out, int first, int last, const SideTexels& side, const FaceNodes& nodes) {
     const int size = side.level.size;
     const bool reversed = side.face == LitFace::north || side.face == LitFace::east;
-    const std::int32_t a = middleOf(reversed ? size - 1 - side.u : side.u, size);
+    const std::int32_t a =
+        (middleOf(reversed ? size - 1 - side.u : side.u, size) + side.slide.raw) & 65535;
     const U32x4 alongA = weights(static_cast<std::uint32_t>((a & 32767) >> 8));
     const auto node = [&](int squareB, int nodeB) {
         const std::size_t at = FaceNodes::index(a >> 15, squareB, 0, nodeB);

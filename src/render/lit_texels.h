@@ -25,16 +25,30 @@ struct LitSquare {
 int fetchLit(Pixel* out, int first, int last, const LitSquare& square, const PlaneLine& line,
              const double* inverseOffsets);
 
+// How the texels of a plane lie in its tiles.
+struct TexelLay {
+    bool southReversed = false;
+    Coordinate east;  // CellBlueprint::textureEast and textureSouth
+    Coordinate south;
+};
+
+// The texel at a place in the tile, in 1/2^32, counted in the map's direction.
+inline std::uint32_t texelIn(std::uint32_t place, Coordinate shift, int bits) {
+    const std::uint64_t within = place - (static_cast<std::uint32_t>(shift.raw) << 16);
+    return static_cast<std::uint32_t>((within & 0xffffffff) >> (32 - bits));
+}
+
 // One lit texel of a plane: `east` and `south` are its place in the tile, in 1/2^32.
 Pixel litTexelAt(const Pixel* texels, int bits, const FaceNodes& nodes, std::uint32_t east,
-                 std::uint32_t south, bool southReversed);
+                 std::uint32_t south, const TexelLay& lay);
 
 // A column of a side's texels.
 struct SideTexels {
     const TextureLevel& level;
     int u;  // the column in the level
     LitFace face;
-    Coordinate rise;  // CellBlueprint::textureRise
+    Coordinate rise;   // CellBlueprint::textureRise
+    Coordinate slide;  // textureEast or textureSouth
 };
 // Lights the texels [first, last) of a column into out[first] and so on; may also write up to three
 // places before and behind, within the column.

@@ -103,6 +103,7 @@ void PlainWalk::showSide(const Block& block, Face face, const Crossing& border, 
     span.layer = block.blueprint->seeThrough;
     span.glow = block.blueprint->face(face).glow;
     span.rise = block.blueprint->textureRise;
+    span.slide = border.alongX ? block.blueprint->textureSouth : block.blueprint->textureEast;
     span.image = block.blueprint->face(face).texture;
     show(span, rows, [&](Span& seen) {
         seen.column = sideColumn(block, face, border, {seen.first, seen.last});
@@ -145,13 +146,17 @@ TexelColumn PlainWalk::sideColumn(const Block& block, Face face, const Crossing&
                                           : eye.fractionX() + (eye.tileX() - walk_.tileX) +
                                                 ray.x * border.distance / border.speed;
     const TextureLevel& level = texture.levels[column.detail];
-    const double texel = std::max(0.0, fraction + kSnap) * level.size;
-    int u = static_cast<int>(std::min(texel, level.size - 1.0));
-    // Only texels that the block covers
+    // Only what the block covers, in 1/2^32 of the tile; its texture may have slid along
     const Plan& plan = block.blueprint->plan;
     const Coordinate from = border.alongX ? plan.north : plan.west;
     const Coordinate to = border.alongX ? plan.south : plan.east;
-    u = std::clamp(u, from.raw * level.size >> 16, (to.raw * level.size - 1) >> 16);
+    const auto bits = [](Coordinate edge) { return std::int64_t{edge.raw} << 16; };
+    const std::int64_t shown =
+        std::clamp(static_cast<std::int64_t>(std::clamp(fraction + kSnap, 0.0, 1.0) * 4294967296.0),
+                   bits(from), bits(to) - 1);
+    const Coordinate slide =
+        border.alongX ? block.blueprint->textureSouth : block.blueprint->textureEast;
+    int u = static_cast<int>(((shown - bits(slide)) & 0xffffffff) * level.size >> 32);
     if (face == Face::north || face == Face::east) u = level.size - 1 - u;
     column.texels = level.texels.data() + static_cast<std::ptrdiff_t>(u) * level.size;
     column.shift = kTexturePositionBits - level.bits;

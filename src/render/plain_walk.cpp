@@ -355,7 +355,8 @@ void PlainWalk::meetFace(const LevelPlane& plane, Rows rows) {
         span.look = &lookOf({0, look.texture, look.light, look.glow, !isTop, false, true});
         return show(span, rows);
     }
-    span.look = &lookOf({plane.rise, look.texture, look.light, look.glow, !isTop, strength > 0});
+    span.look = &lookOf({plane.rise, look.texture, look.light, look.glow, !isTop, strength > 0,
+                         false, block.blueprint->textureEast, block.blueprint->textureSouth});
     showPlane(span, rows, strength);
 }
 

@@ -26,6 +26,10 @@ struct Plane {
     bool southReversed = false;  // undersides and ceilings
     bool mirror = false;         // its texels count as opaque
     bool sloped = false;         // each span has a slope of its own; `rise` is 0 then
+    Coordinate east = {};        // CellBlueprint::textureEast and textureSouth
+    Coordinate south = {};
+
+    bool isShifted() const { return (east.raw | south.raw) != 0; }
 
     friend bool operator==(const Plane&, const Plane&) = default;
 };

@@ -180,7 +180,15 @@ void SliceWalk::meetRising(std::uint32_t levels, TextureId ceilingTexture) {
 Plane SliceWalk::planeOf(const Block& block, Face face) const {
     const FaceBlueprint& look = block.blueprint->face(face);
     const bool isTop = face == Face::top;
-    return {isTop ? block.top : block.bottom, look.texture, look.light, look.glow, !isTop, false};
+    return {isTop ? block.top : block.bottom,
+            look.texture,
+            look.light,
+            look.glow,
+            !isTop,
+            false,
+            false,
+            block.blueprint->textureEast,
+            block.blueprint->textureSouth};
 }
 
 void SliceWalk::takeRoof(const Block& block, int firstRow, int lastRow, bool fromInside) {

@@ -117,7 +117,7 @@ TexelColumn SlicePainter::litColumn(const Span& span) {
     const ShownTexels shown(span);
     Pixel* const texels = frame_.lit.scratch(static_cast<std::size_t>(level.size));
     lightColumn(texels, static_cast<int>(shown.first), static_cast<int>(shown.last),
-                {level, u, face.face, span.rise}, *nodes);
+                {level, u, face.face, span.rise, span.slide}, *nodes);
     column.texels = texels;
     return column;
 }
@@ -203,7 +203,7 @@ void SlicePainter::paintPlane(const PlaneRun& run, Lay lay) {
     const double* const inverses = look.rows(run.first, run.last).inverseOffsets;
     int first = run.first;
     int last = run.last;
-    if (points.anyOnBorder(inverses, first, last)) last = first;
+    if (look.plane.isShifted() || points.anyOnBorder(inverses, first, last)) last = first;
     while (first < last && !points.isInside(inverses[first])) ++first;
     while (first < last && !points.isInside(inverses[last - 1])) --last;
     paintPlaneByRows(run, run.first, first, points, lay);
@@ -258,7 +258,7 @@ const Pixel* SlicePainter::fetchLitRows(const PlaneRun& run, int first, int last
         const FaceNodes& nodes =
             planeNodes(run, static_cast<int>(east >> 32), static_cast<int>(south >> 32));
         if (level.bits == 0) {  // a single texel has no square of its own
-            lit[row++] = litTexelAt(texels, 0, nodes, 0, 0, false);
+            lit[row++] = litTexelAt(texels, 0, nodes, 0, 0, {});
             continue;
         }
         const LitSquare square = {texels, level.bits, nodes, static_cast<int>(east >> 31 & 1),
@@ -271,24 +271,21 @@ const Pixel* SlicePainter::fetchLitRows(const PlaneRun& run, int first, int last
 // One texel of a plane.
 Pixel SlicePainter::texelAt(const PlaneRun& run, const TextureLevel& level,
                             const PlanePoints::Point& point) const {
-    const bool southReversed = run.look->plane.southReversed;
+    const Plane& plane = run.look->plane;
+    const TexelLay texels = {plane.southReversed, plane.east, plane.south};
     if (run.isLit()) {
         return litTexelAt(level.texels.data(), level.bits,
                           planeNodes(run, point.tileX, point.tileY), point.east, point.south,
-                          southReversed);
+                          texels);
     }
-    const auto texelOf = [&](std::uint32_t fraction) {
-        return static_cast<std::uint32_t>(static_cast<std::uint64_t>(fraction) >>
-                                          (32 - level.bits));
-    };
-    const std::uint32_t u = texelOf(point.east);
-    std::uint32_t v = texelOf(point.south);
-    if (southReversed) v = static_cast<std::uint32_t>(level.size - 1) - v;
+    const std::uint32_t u = texelIn(point.east, plane.east, level.bits);
+    std::uint32_t v = texelIn(point.south, plane.south, level.bits);
+    if (plane.southReversed) v = static_cast<std::uint32_t>(level.size - 1) - v;
     return level.texels[(u << level.bits) | v];
 }
 
-// Paints rows one by one, slowly: those near tile borders, and the rare runs behind turning portals
-// with a point exactly on a border.
+// Paints rows one by one, slowly: those near tile borders, blocks that have moved sideways, and the
+// rare runs behind turning portals with a point exactly on a border.
 void SlicePainter::paintPlaneByRows(const PlaneRun& run, int first, int last,
                                     const PlanePoints& points, Lay lay) {
     if (first == last) return;

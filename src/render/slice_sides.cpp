@@ -49,7 +49,8 @@ SliceWalk::Side SliceWalk::sideOf(const Block& block, Face face, bool layer) con
             .end = (65536 - blueprint.bottom.raw) * kPositionsPerRaw,
             .rise = blueprint.textureRise.raw * kPositionsPerRaw,
             .least = static_cast<std::uint32_t>(from.raw) << 16,
-            .most = (static_cast<std::uint32_t>(to.raw) << 16) - 1};
+            .most = (static_cast<std::uint32_t>(to.raw) << 16) - 1,
+            .slide = runsEast ? blueprint.textureEast : blueprint.textureSouth};
 }
 
 // The texels that the rows [first, last) show.
@@ -59,7 +60,9 @@ inline TexelColumn SliceWalk::sideColumn(const Side& side, const SideView& view,
     // #region texel-column
     const int detail = frame_.detail.levelAt(view.depth, texture.size, texture.last);
     const TextureLevel& level = texture.levels[detail];
-    const std::uint64_t fraction = std::clamp(view.fraction, side.least, side.most);
+    const std::uint64_t fraction =
+        std::uint32_t{std::clamp(view.fraction, side.least, side.most) -
+                      (static_cast<std::uint32_t>(side.slide.raw) << 16)};
     const int column = static_cast<int>(fraction >> (32 - level.bits));
     const int u = side.reversed ? level.size - 1 - column : column;
 
@@ -129,6 +132,7 @@ inline void SliceWalk::addSideSpan(const Side& side, const TexelColumn& column, 
     span.layer = side.layer;
     span.glow = side.look->glow;
     span.rise = {static_cast<std::int32_t>(side.rise / kPositionsPerRaw)};
+    span.slide = side.slide;
     span.level = side.level;
     span.tiles = here_;
     span.image = side.look->texture;

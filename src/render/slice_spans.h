@@ -57,6 +57,7 @@ struct Span {
     TextureId image = kNoTexture;  // of sides; for objects the sprite
     TexelColumn column;            // of sides and objects
     Coordinate rise;               // of sides: CellBlueprint::textureRise
+    Coordinate slide;              // of sides: textureEast or textureSouth, along the side
     PlaneLook* look = nullptr;     // of planes
     SpanSlope slope;               // of sloped ones
 };

@@ -2,6 +2,7 @@
 
 #include "base/sort.h"
 #include "render/lit_planes.h"
+#include "render/lit_texels.h"
 #include "render/plan_walk.h"
 #include "render/plane_points.h"
 #include "render/sloped_plane.h"
@@ -240,8 +241,8 @@ private:
             frame_.textures[span.image].levels[static_cast<std::size_t>(texel.detail)].size;
         const bool reversed = face == LitFace::north || face == LitFace::east;
         const int down = (middleOf(texel.v, size) - span.rise.raw) & 65535;
-        return lightAt(*nodes, middleOf(reversed ? size - 1 - texel.u : texel.u, size),
-                       std::min(65535, 65536 - down));
+        const int along = middleOf(reversed ? size - 1 - texel.u : texel.u, size);
+        return lightAt(*nodes, (along + span.slide.raw) & 65535, std::min(65535, 65536 - down));
     }
 
     // Above the eye's water, fog is limited to that of the way to the surface.
@@ -284,16 +285,17 @@ private:
             const int detail = detailAt(row);
             const TextureLevel& shown = texture.levels[detail];
             const PlanePoints::Point point = points.at(inverse);
-            const int v = static_cast<int>(std::uint64_t{point.south} >> (32 - shown.bits));
+            const auto v = static_cast<int>(texelIn(point.south, plane.south, shown.bits));
             const Shade shade = vista.lighting.at(depth, plane.light, plane.glow);
             TracedTexel texel;
             texel.depth = depth;
             texel.detail = detail;
-            texel.u = static_cast<int>(std::uint64_t{point.east} >> (32 - shown.bits));
+            texel.u = static_cast<int>(texelIn(point.east, plane.east, shown.bits));
             texel.v = plane.southReversed ? shown.size - 1 - v : v;
             if (vista.lit != nullptr && !plane.glow) {
                 texel.baked = lightAt(planeNodes(span, point.tileX, point.tileY),
-                                      middleOf(texel.u, shown.size), middleOf(v, shown.size));
+                                      (middleOf(texel.u, shown.size) + plane.east.raw) & 65535,
+                                      (middleOf(v, shown.size) + plane.south.raw) & 65535);
             }
             texel.light = shade.factor;
             texel.fog = fogIn(row, shade.fog);

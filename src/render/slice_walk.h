@@ -115,6 +115,7 @@ private:
         std::int64_t rise;
         std::uint32_t least = 0;  // what the block covers of its tile, in 1/2^32: both included
         std::uint32_t most = 0xffffffff;
+        Coordinate slide = {};  // of its texture, eastward or southward
     };
 
     // Floor or ceiling of one texture, from a border on.

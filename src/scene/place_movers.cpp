@@ -50,6 +50,23 @@ void checkGateFrames(Reading& reading, JsonValue maps) {
         {"at most ", kMaxTextures});
 }
 
+// A gate that follows one that stands nowhere waits for ever.
+void warnOfMissingGates(Reading& reading) {
+    const World& world = reading.description.world;
+    const auto stands = [&](int kind) {
+        return std::any_of(world.gates.begin(), world.gates.end(),
+                           [&](const Gate& gate) { return gate.kind == kind; });
+    };
+    for (const FollowedGate& followed : reading.followed) {
+        const auto id = reading.checker.name(followed.name, reading.blueprints, "blueprint");
+        if (!id || !stands(followed.kind) || stands(world.blueprints[*id].gate)) continue;
+        reading.checker.warn(
+            followed.name,
+            {"the gate ", quoted(world.blueprints[*id].name), ", which stands in no map"},
+            "a gate that a player can open, or that opens by itself");
+    }
+}
+
 }  // namespace
 
 void placeMovers(Reading& reading, JsonValue maps) {
@@ -64,7 +81,9 @@ void placeMovers(Reading& reading, JsonValue maps) {
     for (const PlacingFault& fault : faults) addFault(reading, maps, fault);
     // The blocks around the start are unknown then.
     if (!faults.empty()) reading.areBlueprintsSound = false;
-    if (faults.empty()) checkGateFrames(reading, maps);
+    if (!faults.empty()) return;
+    checkGateFrames(reading, maps);
+    warnOfMissingGates(reading);
 }
 
 }  // namespace slicecast

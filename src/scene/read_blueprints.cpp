@@ -100,26 +100,6 @@ void readFaces(Reading& reading, JsonValue value, CellBlueprint& blueprint) {
     }
 }
 
-// Checks that a gate fits its blueprint.
-void checkGate(Reading& reading, JsonValue value, const CellBlueprint& blueprint) {
-    if (blueprint.motion >= 0)
-        reading.checker.add(value, "a gate that has a motion", "\"gate\" or \"motion\", not both");
-    if (blueprint.isWater)
-        reading.checker.add(value, "a gate that is water", "\"gate\" or \"water\", not both");
-    const bool isSeen =
-        std::any_of(blueprint.faces.begin(), blueprint.faces.end(), [&](const FaceBlueprint& face) {
-            // With faulty textures, this one may be right.
-            if (face.texture >= reading.description.textures.size()) return true;
-            const TextureReference& texture = reading.description.textures[face.texture];
-            return texture.frames > 1 && texture.rate == 0.0;
-        });
-    if (!isSeen) {
-        reading.checker.add(value, "a gate that looks the same open and shut",
-                            "a face whose texture has \"frames\" and no \"rate\": the first frame "
-                            "is shut, the last open");
-    }
-}
-
 // true, or { "colour": "#265c68", "sight": 8 }
 void readWater(Reading& reading, JsonValue value, CellBlueprint& blueprint) {
     blueprint.isWater = value.kind() != JsonValue::Kind::boolean || value.boolean();
@@ -269,6 +249,8 @@ CellBlueprint readBlueprint(Reading& reading, JsonValue value) {
         blueprint.gate = readGate(reading, *gate);
         if (reading.checker.count() == faultsBefore) checkGate(reading, *gate, blueprint);
     }
+    if (const auto motion = fields->find("motion"); reading.checker.count() == faultsBefore)
+        checkMotion(reading, motion ? *motion : value, blueprint);
     checkSlopes(reading, *fields, blueprint);
     return blueprint;
 }
@@ -297,6 +279,7 @@ void readBlueprints(Reading& reading, JsonValue value) {
         reading.blueprints.add(member.key(), static_cast<BlueprintId>(blueprints.size()));
         blueprints.push_back(readBlueprint(reading, member));
     }
+    findFollowedGates(reading);
 }
 
 }  // namespace slicecast

@@ -1,4 +1,4 @@
-// Motions of blocks, and gates.
+// Motions of blocks.
 #include "base/number_text.h"
 #include "scene/limits.h"
 #include "scene/readers.h"
@@ -14,17 +14,17 @@ constexpr NumberRange kOffset = {-kGreatestOffset, kGreatestOffset, false,
                                  "a number from -32 to 32, in units"};
 constexpr NumberRange kPeriod = {kShortestPeriod, kLongestPeriod, false,
                                  "a number from 0.1 to 3600, in seconds"};
-constexpr NumberRange kOpening = {kStepSeconds, kLongestGate, false,
-                                  "a number from 1/120 to 60, in seconds"};
-constexpr NumberRange kHold = {0.0, kLongestGate, false, "a number from 0 to 60, in seconds"};
-constexpr NumberRange kGateReach = {0.0, kFarthestGate, false, "a number from 0 to 64, in units"};
 static_assert(kGreatestOffset == 32.0 && kShortestPeriod == 0.1 && kLongestPeriod == 3600.0 &&
-                  kLongestGate == 60.0 && kFarthestGate == 64.0 && kStepsPerSecond == 120 &&
                   kFastestMotion == 4.0,
               "as the words say");
+constexpr const char* kSlower = "at most 4 units per second; a longer period makes it slower";
 
-constexpr Named<MovingEdges> kEdges[] = {
-    {MovingEdges::top, "top"}, {MovingEdges::bottom, "bottom"}, {MovingEdges::both, "both"}};
+constexpr Named<Axis> kAxes[] = {{Axis::x, "x"}, {Axis::y, "y"}, {Axis::z, "z"}};
+// Of the axes x, y and z
+constexpr Named<MovingEdges> kEdges[][3] = {
+    {{MovingEdges::high, "east"}, {MovingEdges::low, "west"}, {MovingEdges::both, "both"}},
+    {{MovingEdges::high, "south"}, {MovingEdges::low, "north"}, {MovingEdges::both, "both"}},
+    {{MovingEdges::high, "top"}, {MovingEdges::low, "bottom"}, {MovingEdges::both, "both"}}};
 constexpr Named<MotionShape> kShapes[] = {{MotionShape::smooth, "smooth"},
                                           {MotionShape::even, "even"},
                                           {MotionShape::stopAndGo, "stop-and-go"}};
@@ -33,32 +33,54 @@ int stepsOf(double seconds) {
     return static_cast<int>(std::floor(seconds * kStepsPerSecond + 0.5));
 }
 
-// { "moves", "from", "to", "period", "phase", "shape" }
+// "along" and "moves".
+void readAxis(const Fields& fields, Motion& motion) {
+    motion.axis = fields.choice("along", kAxes, Axis::z);
+    const auto& edges = kEdges[static_cast<std::size_t>(motion.axis)];
+    fields.requireChoice("moves", edges);
+    motion.edges = fields.choice("moves", edges, MovingEdges::both);
+}
+
+// "period" and what only makes sense with one. A motion without it is for gates; its period is 0.
+void readPeriod(Checker& checker, const Fields& fields, Motion& motion) {
+    const bool hasPeriod = static_cast<bool>(fields.find("period"));
+    motion.periodSteps = hasPeriod ? stepsOf(fields.number("period", kPeriod, 1.0)) : 0;
+    const double phase = fields.number("phase", kUnitRange, 0.0);
+    motion.once = fields.flag("once", false);
+    for (const char* const key : {"phase", "once"}) {
+        const auto member = fields.find(key);
+        if (member && !hasPeriod)
+            checker.addAtKey(*member, {quoted(key), " without a \"period\""},
+                             "a \"period\"; a motion without one is for gates");
+    }
+    if (!hasPeriod) return;
+    // It comes to rest in the middle of its period.
+    if (motion.once) motion.periodSteps += motion.periodSteps % 2;
+    motion.phaseSteps =
+        static_cast<int>(std::floor(phase * motion.periodSteps + 0.5)) % motion.periodSteps;
+}
+
+// { "along", "moves", "from", "to", "period", "phase", "shape", "once" }
 Motion readMotion(Checker& checker, JsonValue value) {
     Motion motion;
     motion.name = std::string(value.key());
-    const auto fields = checker.fields(value, {"moves", "from", "to", "period", "phase", "shape"},
-                                       "a motion: an object with \"moves\", \"to\" and \"period\"");
+    const auto fields =
+        checker.fields(value, {"along", "moves", "from", "to", "period", "phase", "shape", "once"},
+                       "a motion: an object with \"moves\", \"to\" and \"period\"");
     if (!fields) return motion;
     const std::size_t faultsBefore = checker.count();
-    fields->requireChoice("moves", kEdges);
+    readAxis(*fields, motion);
     fields->require("to", kOffset.words);
-    fields->require("period", kPeriod.words);
-    const double from = fields->number("from", kOffset, 0.0);
-    const double to = fields->number("to", kOffset, 1.0);
-    const double period = fields->number("period", kPeriod, 1.0);
-    const double phase = fields->number("phase", kUnitRange, 0.0);
-    motion.edges = fields->choice("moves", kEdges, MovingEdges::both);
+    motion.from = toCoordinate(fields->number("from", kOffset, 0.0));
+    motion.to = toCoordinate(fields->number("to", kOffset, 1.0));
     motion.shape = fields->choice("shape", kShapes, MotionShape::smooth);
-    motion.from = toCoordinate(from);
-    motion.to = toCoordinate(to);
-    motion.periodSteps = stepsOf(period);
-    motion.phaseSteps =
-        static_cast<int>(std::floor(phase * motion.periodSteps + 0.5)) % motion.periodSteps;
-    const double fastest = fastestSpeed(motion.shape, to - from, period);
-    if (checker.count() == faultsBefore && fastest > kFastestMotion) {
+    readPeriod(checker, *fields, motion);
+    if (checker.count() != faultsBefore || motion.periodSteps == 0) return motion;
+    const double fastest = fastestSpeed(motion.shape, (motion.to - motion.from).value(),
+                                        static_cast<double>(motion.periodSteps) / kStepsPerSecond);
+    if (fastest > kFastestMotion) {
         checker.add(value, {"a motion that reaches ", roundedText(fastest, 4), " units per second"},
-                    "at most 4 units per second; a longer period makes it slower");
+                    kSlower);
     }
     return motion;
 }
@@ -87,29 +109,6 @@ void readMotions(Reading& reading, JsonValue value) {
         reading.motions.add(member.key(), static_cast<std::uint16_t>(motions.size()));
         motions.push_back(readMotion(checker, member));
     }
-}
-
-// { "seconds", "reach", "keyed", "approach", "hold", "open" }
-int readGate(Reading& reading, JsonValue value) {
-    Checker& checker = reading.checker;
-    GateKind kind;
-    const auto fields =
-        checker.fields(value, {"seconds", "reach", "keyed", "approach", "hold", "open"},
-                       "a gate: an object, which may be {}");
-    if (fields) {
-        kind.steps = std::max(1, stepsOf(fields->number("seconds", kOpening, 0.8)));
-        kind.reach = toCoordinate(fields->number("reach", kGateReach, 2.0));
-        kind.keyed = fields->flag("keyed", true);
-        kind.opensOnApproach = static_cast<bool>(fields->find("approach"));
-        kind.approach = toCoordinate(fields->number("approach", kGateReach, 0.0));
-        kind.holdSteps = stepsOf(fields->number("hold", kHold, 1.0));
-        kind.startsOpen = fields->flag("open", false);
-        if (!kind.keyed && !kind.opensOnApproach)
-            checker.add(value, "a gate that nothing opens",
-                        "\"keyed\": true, or \"approach\", or both");
-    }
-    reading.description.world.gateKinds.push_back(kind);
-    return static_cast<int>(reading.description.world.gateKinds.size()) - 1;
 }
 
 }  // namespace slicecast

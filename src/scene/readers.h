@@ -54,6 +54,12 @@ struct PortalList {
     std::size_t map;
 };
 
+// The name of a gate's blueprint, and the kind of gate that follows it.
+struct FollowedGate {
+    JsonValue name;
+    int kind;
+};
+
 // What the readers share.
 struct Reading {
     Checker& checker;
@@ -68,6 +74,7 @@ struct Reading {
     std::vector<PlacedMotion> placedMotions = {};
     std::vector<SowingOrder> sowings = {};
     NameTable motions = {};  // index into World::motions
+    std::vector<FollowedGate> followed = {};
     std::vector<PortalList> portals = {};
     std::vector<JsonValue> mapValues = {};
     std::vector<PlacedLamp> lamps = {};
@@ -75,8 +82,8 @@ struct Reading {
     FoundValue variants = {};                           // the last list of variants
 };
 
-// "textures": { NAME: FILE, "#rrggbb" or { file, frames, rate, material, variants } }; a sheet without
-// a rate is held at its first frame
+// "textures": { NAME: FILE, "#rrggbb" or { file, frames, rate, material, variants } }; a sheet
+// without a rate is held at its first frame
 void readTextures(Reading& reading, JsonValue value);
 
 // A file or a sheet of frames; a texture may also be a colour, and has a material.
@@ -109,12 +116,19 @@ std::optional<std::string> readFileName(Checker& checker, JsonValue value);
 // Where an image is named.
 ImageReference referTo(const Checker& checker, JsonValue value, std::string file);
 
-// "motions": { NAME: { moves, from, to, period, phase, shape } }
+// "motions": { NAME: { along, moves, from, to, period, phase, shape, once } }
 void readMotions(Reading& reading, JsonValue value);
 
-// "gate" of a blueprint: { seconds, reach, keyed, approach, hold, open }. Gives its index into
-// World::gateKinds.
+// "gate" of a blueprint: { seconds, reach, keyed, approach, hold, every, once, follows, open }.
+// Gives its index into World::gateKinds.
 int readGate(Reading& reading, JsonValue value);
+
+// Finds the gates that others follow, once all blueprints are read.
+void findFollowedGates(Reading& reading);
+
+// Checks that a gate, and a motion, fit their blueprint; that one is read but for its slopes.
+void checkGate(Reading& reading, JsonValue value, const CellBlueprint& blueprint);
+void checkMotion(Reading& reading, JsonValue value, const CellBlueprint& blueprint);
 
 // "blueprints": { NAME: { bottom, top, faces, join, motion, gate } }
 void readBlueprints(Reading& reading, JsonValue value);

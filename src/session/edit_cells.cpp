@@ -26,12 +26,12 @@ char32_t characterOf(const World& world, const Map& map, BlueprintId id) {
     return kEmptyCharacter;
 }
 
-// A mover has a blueprint on every level that it can reach. True if it stands on this one at rest.
-bool isAtRest(const World& world, const CellBlueprint& part, BlueprintId id, int level) {
+// A mover has a blueprint in every place that it can reach. True if it stands there at rest.
+bool isAtRest(const World& world, const CellBlueprint& part, BlueprintId id) {
     for (const Shaft& shaft : world.movers[static_cast<std::size_t>(part.mover)].shafts) {
-        const int levels = shaft.lastLevel - shaft.firstLevel;
-        if (id >= shaft.firstPart && id <= shaft.firstPart + levels)
-            return shaft.low < tileEdge(level + 1) && shaft.high > tileEdge(level);
+        const int place = shaft.first + id - shaft.firstPart;
+        if (place >= shaft.first && place <= shaft.last)
+            return shaft.low < tileEdge(place + 1) && shaft.high > tileEdge(place);
     }
     return false;
 }
@@ -72,8 +72,8 @@ std::string cellRow(const World& world, int mapIndex, int level, int y) {
         const BlueprintId id = map.cells[map.cellIndex(x, y, level)];
         if (id != last) {
             const CellBlueprint& blueprint = world.blueprints[id];
-            const bool isEmpty = id == kEmptyCell ||
-                                 (blueprint.mover >= 0 && !isAtRest(world, blueprint, id, level));
+            const bool isEmpty =
+                id == kEmptyCell || (blueprint.mover >= 0 && !isAtRest(world, blueprint, id));
             text = toUtf8(isEmpty ? kEmptyCharacter : characterOf(world, map, id));
             last = id;
         }
@@ -99,8 +99,8 @@ std::string CellEdits::set(World& world, const CellAt& at, char32_t character) {
             return words("found ", shown(character), ", expected one of ", legendText(map),
                          ", as in the map's legend");
         }
-        blueprint = variantAt(entry->blueprint, world.blueprints[entry->blueprint], at.x, at.y,
-                              at.level);
+        blueprint =
+            variantAt(entry->blueprint, world.blueprints[entry->blueprint], at.x, at.y, at.level);
     }
     const std::size_t cell = map.cellIndex(at.x, at.y, at.level);
     const BlueprintId current = map.cells[cell];

@@ -118,7 +118,10 @@ void Session::stepAround(const GateAsk& ask) {
     bodies_.push_back(bodyOf(travellerOf(player_), player_.onGround));
     addBodies(world_, bodies_);
     stepWorld(world_, bodies_, ask);
-    player_.z = player_.z + bodies_[0].lift;
+    const Offset& shift = bodies_[0].shift;
+    player_.x = player_.x + shift.x;
+    player_.y = player_.y + shift.y;
+    player_.z = player_.z + shift.z;
     liftObjects(world_, std::span(bodies_).subspan(1));
 }
 

@@ -58,8 +58,10 @@ struct CellBlueprint {
     Colour waterColour = kWaterColour;  // under water everything fades to this colour with distance
     double waterSight = kWaterSight;  // units, > 0: from this distance on only that colour is seen
     bool hasPortals = false;          // a face has one; set by markPortals
-    Coordinate textureRise;  // how far its motion has moved its sides' textures up, 0 to 1; they
-                             // wrap around
+    // How far its motion has moved its textures up, east and south, 0 to 1; they wrap around
+    Coordinate textureRise;
+    Coordinate textureEast;
+    Coordinate textureSouth;
     BlueprintId origin = kEmptyCell;  // the blueprint that this one was made from, if it moves,
                                       // opens, has portals or is a variant; else empty
     // Cells of this blueprint show it or one of its variants (see variants.h), which are the

@@ -3,7 +3,7 @@
 //
 //     bodies.push_back(bodyOf(travellerOf(player), player.onGround));
 //     stepWorld(world, bodies, ask);
-//     player.z = player.z + bodies[0].lift;
+//     player.z = player.z + bodies[0].shift.z;   // and x and y
 #pragma once
 
 #include "base/coordinate.h"
@@ -17,13 +17,14 @@ struct Body {
     bool rides = false;  // rests with its weight: also goes down with the ground
     Position eye = {};   // as in Traveller; only used in a world with portals
     Threshold behind = {};
-    bool floats = false;   // as in Traveller
-    Coordinate lift = {};  // how far the step has moved it up; negative is down
+    bool floats = false;  // as in Traveller
+    Offset shift = {};    // how far the step has moved it
 
     // Used only during a step.
     bool straddles = false;  // reaches into a portal
     bool isMet = false;      // the present mover or gate must not get into it
-    Coordinate push = {};    // how far the present mover lifts it; negative is down
+    Coordinate push = {};    // how far the present mover wants to move it along its axis
+    Offset way = {};         // and how far it gets
 };
 
 inline Body bodyOf(const Traveller& traveller, bool rides) {
@@ -35,11 +36,11 @@ inline Body bodyOf(const Traveller& traveller, bool rides) {
             .floats = traveller.floats};
 }
 
-// The traveller of a body, moved up by `up`.
-inline Traveller travellerOf(const Body& body, Coordinate up = {}) {
-    const Position eye = {body.eye.x, body.eye.y, body.eye.z + up};
+// The traveller of a body, moved on.
+inline Traveller travellerOf(const Body& body, const Offset& by = {}) {
+    const Position eye = {body.eye.x + by.x, body.eye.y + by.y, body.eye.z + by.z};
     return {.map = body.map,
-            .box = moved(body.box, {.x = {}, .y = {}, .z = up}),
+            .box = moved(body.box, by),
             .eye = eye,
             .behind = body.behind,
             .floats = body.floats};

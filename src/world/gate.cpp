@@ -10,7 +10,7 @@ namespace {
 
 void show(World& world, const Gate& gate, const GateKind& kind) {
     for (const BlueprintId part : gate.parts)
-        world.blueprints[part].passable = gate.progress == kind.steps;
+        world.blueprints[part].passable = gate.mover < 0 && gate.progress == kind.steps;
     for (const GateFace& face : gate.faces) {
         const int frame = static_cast<int>(std::min<std::int64_t>(
             face.frames - 1, std::int64_t{gate.progress} * face.frames / kind.steps));
@@ -36,12 +36,8 @@ bool areWithin(const Box& a, const Box& b, Coordinate distance) {
 // Most bodies are far from most gates: the bounds tell them apart.
 bool isWithin(const Gate& gate, const Box& box, Coordinate distance) {
     return areWithin(box, gate.bounds, distance) &&
-           std::any_of(gate.boxes.begin(), gate.boxes.end(), [&](const GateBox& block) {
-               return areWithin(box,
-                                {tileEdge(block.x), tileEdge(block.x + 1), tileEdge(block.y),
-                                 tileEdge(block.y + 1), block.bottom, block.top},
-                                distance);
-           });
+           std::any_of(gate.boxes.begin(), gate.boxes.end(),
+                       [&](const Box& block) { return areWithin(box, block, distance); });
 }
 
 bool hears(const Gate& gate, const GateKind& kind, const GateAsk& ask) {
@@ -55,6 +51,12 @@ void obey(Gate& gate, const GateKind& kind, const GateAsk& ask) {
         ask.wish == GateAsk::Wish::open || (ask.wish == GateAsk::Wish::change && !gate.wantsOpen);
 }
 
+// Closes when this has been asked for so long.
+void countDown(Gate& gate, const GateKind& kind) {
+    if (gate.awaySteps < kind.holdSteps && ++gate.awaySteps == kind.holdSteps)
+        gate.wantsOpen = false;
+}
+
 // Opens when someone comes near, closes when all have left; keys override in between.
 void updateApproach(Gate& gate, const GateKind& kind, std::span<const Body> bodies) {
     const bool wasNear = gate.isNear;
@@ -64,9 +66,42 @@ void updateApproach(Gate& gate, const GateKind& kind, std::span<const Body> bodi
     if (gate.isNear) {
         gate.awaySteps = 0;
         if (!wasNear) gate.wantsOpen = true;
-    } else if (gate.awaySteps < kind.holdSteps && ++gate.awaySteps == kind.holdSteps) {
-        gate.wantsOpen = false;
+        return;
     }
+    countDown(gate, kind);
+}
+
+// Opens so often. The time to close counts from when it is open.
+void updateTimer(Gate& gate, const GateKind& kind) {
+    if (++gate.waitSteps >= kind.everySteps) {
+        gate.waitSteps = 0;
+        gate.awaySteps = 0;
+        gate.wantsOpen = true;
+    } else if (!kind.opensOnApproach && gate.progress == kind.steps) {
+        countDown(gate, kind);
+    }
+}
+
+// Opens and closes as the gates do that it follows; keys override in between.
+void follow(const World& world, Gate& gate, const GateKind& kind) {
+    const auto& kinds = kind.follows;
+    const bool isLed = std::any_of(world.gates.begin(), world.gates.end(), [&](const Gate& leader) {
+        return std::find(kinds.begin(), kinds.end(), leader.kind) != kinds.end() &&
+               leader.progress == world.gateKinds[static_cast<std::size_t>(leader.kind)].steps;
+    });
+    if (isLed != gate.isLed) gate.wantsOpen = isLed;
+    gate.isLed = isLed;
+}
+
+// All that opens and closes it.
+void decide(const World& world, Gate& gate, const GateKind& kind, std::span<const Body> bodies,
+            const GateAsk& ask) {
+    const bool wasWanted = gate.wantsOpen;
+    obey(gate, kind, ask);
+    if (kind.opensOnApproach) updateApproach(gate, kind, bodies);
+    if (kind.everySteps > 0) updateTimer(gate, kind);
+    if (!kind.follows.empty()) follow(world, gate, kind);
+    if (kind.once && wasWanted) gate.wantsOpen = true;
 }
 
 // True if closing the fully open gate would enclose a body that is free now.
@@ -88,12 +123,27 @@ bool isInUse(World& world, const Gate& gate, std::span<Body> bodies) {
 void stepGate(World& world, Gate& gate, std::span<Body> bodies, const GateAsk& ask) {
     const GateKind& kind = world.gateKinds[static_cast<std::size_t>(gate.kind)];
     gate.previousProgress = gate.progress;
-    obey(gate, kind, ask);
-    if (kind.opensOnApproach) updateApproach(gate, kind, bodies);
+    decide(world, gate, kind, bodies, ask);
     if (gate.progress == (gate.wantsOpen ? kind.steps : 0)) return;
-    if (gate.progress == kind.steps && isInUse(world, gate, bodies)) return;
-    gate.progress += gate.wantsOpen ? 1 : -1;
+    const int next = gate.progress + (gate.wantsOpen ? 1 : -1);
+    if (gate.mover >= 0) {
+        Mover& mover = world.movers[static_cast<std::size_t>(gate.mover)];
+        const Motion& motion = world.motions[static_cast<std::size_t>(mover.motion)];
+        if (!moveTo(world, mover, offsetWhenOpen(motion, next, kind.steps), bodies)) return;
+    } else if (gate.progress == kind.steps && isInUse(world, gate, bodies)) {
+        return;
+    }
+    gate.progress = next;
     show(world, gate, kind);
+}
+
+// Puts what the gate moves where it begins.
+void resetMover(World& world, const Gate& gate, const GateKind& kind) {
+    Mover& mover = world.movers[static_cast<std::size_t>(gate.mover)];
+    const Motion& motion = world.motions[static_cast<std::size_t>(mover.motion)];
+    mover.firstEncounter = -1;
+    moveTo(world, mover, offsetWhenOpen(motion, gate.progress, kind.steps), {});
+    mover.previousOffset = mover.offset;
 }
 
 }  // namespace
@@ -101,8 +151,10 @@ void stepGate(World& world, Gate& gate, std::span<Body> bodies, const GateAsk& a
 GateOffer gateOffer(const World& world, const GateAsk& ask) {
     GateOffer offer = GateOffer::none;
     for (const Gate& gate : world.gates) {
-        if (!hears(gate, world.gateKinds[static_cast<std::size_t>(gate.kind)], ask)) continue;
+        const GateKind& kind = world.gateKinds[static_cast<std::size_t>(gate.kind)];
+        if (!hears(gate, kind, ask)) continue;
         if (!gate.wantsOpen) return GateOffer::open;
+        if (kind.once) continue;
         offer = GateOffer::close;
     }
     return offer;
@@ -119,6 +171,9 @@ void resetGates(World& world) {
         gate.progress = gate.previousProgress = kind.startsOpen ? kind.steps : 0;
         gate.isNear = false;
         gate.awaySteps = kind.holdSteps;
+        gate.waitSteps = 0;
+        gate.isLed = false;
+        if (gate.mover >= 0) resetMover(world, gate, kind);
         show(world, gate, kind);
     }
 }

@@ -2,9 +2,15 @@
 //
 //     closed -> opening -> open -> closing -> closed     it may reverse at any moment
 //
-// Cells of one gate's blueprint that touch, side by side or stacked, are one gate. Bodies pass only
-// while it is fully open. A gate never closes on a body: it stays open until nobody is inside.
-// Faces with a held sheet show the frame of the gate's progress, the last one when it is open.
+// Cells of one gate's blueprint that touch, side by side or stacked, are one gate. Faces with a
+// held sheet show the frame of the gate's progress, the last one when it is open.
+//
+// A gate with a motion is a mover that goes as far as the gate is open, and waits where bodies are
+// in its way (see mover.h). Any other gate stays where it is: bodies pass only while it is fully
+// open, and it never closes on a body, but stays open until nobody is inside.
+//
+// Gates open and shut by keys, for whoever comes near, at regular times, or with other gates, which
+// then are switches.
 #pragma once
 
 #include "base/coordinate.h"
@@ -37,14 +43,11 @@ struct GateKind {
     bool opensOnApproach = false;
     Coordinate approach = {};  // a body that comes this close opens it
     int holdSteps = 120;       // it closes after nobody has been that close for this long
+    int everySteps = 0;        // it also opens by itself so often; 0 for never
+    bool once = false;         // it never closes again
     bool startsOpen = false;
-};
-
-struct GateBox {
-    int x = 0;
-    int y = 0;
-    Coordinate bottom;  // above the map's floor
-    Coordinate top;
+    std::vector<int> follows =
+        {};  // kinds: it opens when a gate of one is open, closes when none is
 };
 
 // A face that shows a sheet: frame 0 is `first`, frame n is `later` + n - 1.
@@ -61,15 +64,18 @@ enum class GateState : std::uint8_t { closed, opening, open, closing };
 struct Gate {
     int map = 0;  // indices into World::maps and World::gateKinds
     int kind = 0;
+    int mover = -1;  // index into World::movers of the one that it moves, or -1
     std::vector<BlueprintId> parts;
-    std::vector<GateBox> boxes;
-    Box bounds;  // around all boxes
+    std::vector<Box> boxes;  // of its blocks, as wide as their tiles
+    Box bounds;              // around all boxes
     std::vector<GateFace> faces;
     int progress = 0;          // steps, 0 is closed
     int previousProgress = 0;  // before the last step
     bool wantsOpen = false;
     bool isNear = false;      // a body is within `approach`
     int awaySteps = 0;        // steps since the last body left
+    int waitSteps = 0;        // steps since it last opened by itself
+    bool isLed = false;       // a gate that it follows is open
     int firstEncounter = -1;  // see findEncounters
 };
 

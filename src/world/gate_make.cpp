@@ -12,19 +12,23 @@
 namespace slicecast {
 namespace {
 
-Box boundsOf(const std::vector<GateBox>& boxes) {
-    const auto boxOf = [](const GateBox& box) -> Box {
-        return {tileEdge(box.x),     tileEdge(box.x + 1), tileEdge(box.y),
-                tileEdge(box.y + 1), box.bottom,          box.top};
-    };
-    Box bounds = boxOf(boxes.front());
-    for (const GateBox& block : boxes) {
-        const Box box = boxOf(block);
+Box boundsOf(const std::vector<Box>& boxes) {
+    Box bounds = boxes.front();
+    for (const Box& box : boxes) {
         bounds = {std::min(bounds.west, box.west),     std::max(bounds.east, box.east),
                   std::min(bounds.north, box.north),   std::max(bounds.south, box.south),
                   std::min(bounds.bottom, box.bottom), std::max(bounds.top, box.top)};
     }
     return bounds;
+}
+
+Box boxOf(const CellPlace& at, const CellBlueprint& block) {
+    return {tileEdge(at.x),
+            tileEdge(at.x + 1),
+            tileEdge(at.y),
+            tileEdge(at.y + 1),
+            tileEdge(at.level) + block.bottom,
+            tileEdge(at.level) + block.top};
 }
 
 Gate makeGate(World& world, int mapIndex, const std::vector<CellPlace>& group) {
@@ -47,9 +51,40 @@ Gate makeGate(World& world, int mapIndex, const std::vector<CellPlace>& group) {
             world.blueprints.push_back(std::move(part));
         }
         map.setChangingCell(at.x, at.y, at.level, known->second);
-        const CellBlueprint& part = world.blueprints[known->second];
-        gate.boxes.push_back(
-            {at.x, at.y, tileEdge(at.level) + part.bottom, tileEdge(at.level) + part.top});
+        gate.boxes.push_back(boxOf(at, world.blueprints[known->second]));
+    }
+    gate.bounds = boundsOf(gate.boxes);
+    return gate;
+}
+
+// A gate that moves a mover. Its boxes are where the scene's rows have its blocks.
+Gate makeMovingGate(World& world, int moverIndex) {
+    Mover& mover = world.movers[static_cast<std::size_t>(moverIndex)];
+    const Map& map = world.maps[static_cast<std::size_t>(mover.map)];
+    const Axis axis = world.motions[static_cast<std::size_t>(mover.motion)].axis;
+    mover.gate = static_cast<int>(world.gates.size());
+    Gate gate;
+    gate.map = mover.map;
+    gate.kind = world.blueprints[mover.shafts[0].firstPart].gate;
+    gate.mover = moverIndex;
+    const auto levels = static_cast<std::size_t>(map.levels);
+    for (const Shaft& shaft : mover.shafts) {
+        for (int place = shaft.first; place <= shaft.last; ++place) {
+            const auto part = static_cast<BlueprintId>(shaft.firstPart + (place - shaft.first));
+            gate.parts.push_back(part);
+            if (shaft.low >= tileEdge(place + 1) || shaft.high <= tileEdge(place)) continue;
+            for (const std::size_t first : shaft.firstCells) {
+                const std::size_t tile = first / levels;
+                CellPlace at = {static_cast<int>(tile % static_cast<std::size_t>(map.width)),
+                                static_cast<int>(tile / static_cast<std::size_t>(map.width)),
+                                static_cast<int>(first % levels)};
+                placeAlong(at, axis) = place;
+                CellBlueprint block = world.blueprints[part];
+                lowEdge(block, axis) = std::max(shaft.low - tileEdge(place), Coordinate{0});
+                highEdge(block, axis) = std::min(shaft.high - tileEdge(place), tileEdge(1));
+                gate.boxes.push_back(boxOf(at, block));
+            }
+        }
     }
     gate.bounds = boundsOf(gate.boxes);
     return gate;
@@ -72,21 +107,42 @@ TextureId framesOf(World& world, TextureId sheet) {
     return later;
 }
 
+PlacingFault tooManyCells(int map) {
+    return {map,
+            0,
+            0,
+            0,
+            words("more than ", kMaxGateCells, " cells of gates"),
+            "fewer or smaller ones"};
+}
+
 }  // namespace
 
 std::vector<PlacingFault> makeGates(World& world) {
-    const std::vector<BlueprintId> kinds = kindsOf(world, &CellBlueprint::gate);
+    std::vector<BlueprintId> kinds = kindsOf(world, &CellBlueprint::gate);
     if (std::all_of(kinds.begin(), kinds.end(),
                     [](BlueprintId kind) { return kind == kEmptyCell; }))
         return {};
     std::vector<PlacingFault> faults;
     std::size_t cells = kMaxGateCells;
+    for (std::size_t id = 0; id < kinds.size(); ++id) {
+        if (world.blueprints[id].motion >= 0) kinds[id] = kEmptyCell;
+    }
+    for (std::size_t i = 0; i < world.movers.size(); ++i) {
+        const Mover& mover = world.movers[i];
+        if (world.blueprints[mover.shafts[0].firstPart].gate < 0) continue;
+        world.gates.push_back(makeMovingGate(world, static_cast<int>(i)));
+        const Gate& gate = world.gates.back();
+        if (gate.boxes.size() > cells) {
+            faults.push_back(tooManyCells(gate.map));
+            return faults;
+        }
+        cells -= gate.boxes.size();
+    }
     for (std::size_t map = 0; map < world.maps.size(); ++map) {
         std::vector<std::vector<CellPlace>> groups;
         if (!groupCells(world.maps[map], kinds, cells, groups)) {
-            faults.push_back({static_cast<int>(map), 0, 0, 0,
-                              words("more than ", kMaxGateCells, " cells of gates"),
-                              "fewer or smaller ones"});
+            faults.push_back(tooManyCells(static_cast<int>(map)));
             break;
         }
         for (const std::vector<CellPlace>& group : groups) {

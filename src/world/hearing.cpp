@@ -133,20 +133,15 @@ Mixed movedGates(const World& world, const Player& player, bool areAtEnd) {
     return mixed;
 }
 
-// Of several shafts the first tells the height.
 Mixed movers(const World& world, const Player& player, const Ears& ears) {
     Mixed mixed;
     for (const Mover& mover : world.movers) {
         const Coordinate way = mover.offset - mover.previousOffset;
         if (mover.map != player.map || way.raw == 0) continue;
-        const Shaft& shaft = mover.shafts[0];
-        Sound sound = ears.from(
-            {tileEdge(mover.west), tileEdge(mover.east + 1), tileEdge(mover.north),
-             tileEdge(mover.south + 1), shaft.low + mover.offset, shaft.high + mover.offset},
-            kEarshot);
+        Sound sound = ears.from(boundsOf(world, mover), kEarshot);
         const double speed = std::abs(way.value()) * kStepsPerSecond;
         sound.gain *= std::min(1.0, kQuietMover + (1.0 - kQuietMover) * speed);
-        mixed.add(sound, sideOf(world, shaft.firstPart));
+        mixed.add(sound, sideOf(world, mover.shafts[0].firstPart));
     }
     return mixed;
 }

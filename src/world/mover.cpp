@@ -1,6 +1,7 @@
 #include "world/mover.h"
 
 #include "world/body.h"
+#include "world/moving_cells.h"
 #include "world/solids.h"
 #include "world/world.h"
 
@@ -17,8 +18,8 @@ struct Extent {
 };
 
 Extent extentOf(const Shaft& shaft, MovingEdges edges, Coordinate offset) {
-    return {edges == MovingEdges::top ? shaft.low : shaft.low + offset,
-            edges == MovingEdges::bottom ? shaft.high : shaft.high + offset};
+    return {edges == MovingEdges::high ? shaft.low : shaft.low + offset,
+            edges == MovingEdges::low ? shaft.high : shaft.high + offset};
 }
 
 // The height at which bodies stand on the shaft, even while it is empty. A top that does not move
@@ -27,32 +28,63 @@ Coordinate groundOf(const Extent& extent) {
     return std::max(extent.low, extent.high);
 }
 
-constexpr Coordinate withinLevel(Coordinate height, int level) {
-    return std::clamp(height - tileEdge(level), Coordinate{0}, tileEdge(1));
+const Motion& motionOf(const World& world, const Mover& mover) {
+    return world.motions[static_cast<std::size_t>(mover.motion)];
 }
 
-// Updates a shaft's parts; the textures of the sides move with it.
-void placeShaft(World& world, Map& map, const Shaft& shaft, const Extent& extent,
-                Coordinate offset) {
-    for (int level = shaft.firstLevel; level <= shaft.lastLevel; ++level) {
-        CellBlueprint& part =
-            world
-                .blueprints[static_cast<std::size_t>(shaft.firstPart + (level - shaft.firstLevel))];
-        const bool wasEmpty = part.top <= part.bottom;
-        part.bottom = withinLevel(extent.low, level);
-        part.top = withinLevel(extent.high, level);
-        part.textureRise = {offset.raw & 0xffff};
-        const bool isEmpty = part.top <= part.bottom;
-        if (isEmpty == wasEmpty) continue;
-        for (const std::size_t tile : shaft.tiles) map.occupied[tile] ^= 1u << level;
+// The parts of a shaft, from `first` on.
+std::span<CellBlueprint> partsOf(World& world, const Shaft& shaft) {
+    return std::span(world.blueprints)
+        .subspan(shaft.firstPart, static_cast<std::size_t>(shaft.last - shaft.first + 1));
+}
+
+// Updates a shaft's parts; their textures move with it.
+void placeShaft(World& world, const Mover& mover, const Shaft& shaft, Coordinate offset) {
+    const Motion& motion = motionOf(world, mover);
+    const Extent extent = extentOf(shaft, motion.edges, offset);
+    Map& map = world.maps[static_cast<std::size_t>(mover.map)];
+    const auto levels = static_cast<std::size_t>(map.levels);
+    std::size_t further = 0;  // from the first cell
+    int place = shaft.first;
+    for (CellBlueprint& part : partsOf(world, shaft)) {
+        const auto within = [&](Coordinate at) {
+            return std::clamp(at - tileEdge(place), Coordinate{0}, tileEdge(1));
+        };
+        const bool wasEmpty = highEdge(part, motion.axis) <= lowEdge(part, motion.axis);
+        lowEdge(part, motion.axis) = within(extent.low);
+        highEdge(part, motion.axis) = within(extent.high);
+        (motion.axis == Axis::x   ? part.textureEast
+         : motion.axis == Axis::y ? part.textureSouth
+                                  : part.textureRise) = {offset.raw & 0xffff};
+        const bool isEmpty = highEdge(part, motion.axis) <= lowEdge(part, motion.axis);
+        if (isEmpty != wasEmpty) {
+            for (const std::size_t first : shaft.firstCells) {
+                const std::size_t cell = first + further;
+                map.occupied[cell / levels] ^= 1u << (cell % levels);
+            }
+        }
+        further += cellStep(map, motion.axis);
+        ++place;
     }
 }
 
 void place(World& world, const Mover& mover, Coordinate offset) {
-    const MovingEdges edges = world.motions[static_cast<std::size_t>(mover.motion)].edges;
-    Map& map = world.maps[static_cast<std::size_t>(mover.map)];
-    for (const Shaft& shaft : mover.shafts)
-        placeShaft(world, map, shaft, extentOf(shaft, edges, offset), offset);
+    for (const Shaft& shaft : mover.shafts) placeShaft(world, mover, shaft, offset);
+}
+
+// Calls action(body) for all bodies that the mover may touch.
+template <typename Action>
+void eachBody(World& world, const Mover& mover, std::span<Body> bodies, Action action) {
+    eachEncounter(world.encounters, mover.firstEncounter,
+                  [&](int body) { action(bodies[static_cast<std::size_t>(body)]); });
+}
+
+bool isAnyInTheWay(World& world, const Mover& mover, std::span<Body> bodies) {
+    bool isAny = false;
+    eachBody(world, mover, bodies, [&](const Body& body) {
+        isAny = isAny || (body.isMet && !isFree(world, travellerOf(body, body.way)));
+    });
+    return isAny;
 }
 
 // One mover with its next offset.
@@ -63,40 +95,51 @@ struct Move {
 
     // Sets the body's push, and isMet if the mover must not get into it.
     void meet(Body& body) const;
+    void meetUpright(Body& body) const;
+    void meetSideways(Body& body) const;
+    void meetLine(Body& body, const Shaft& shaft, int across, int level) const;
 };
 
 void Move::meet(Body& body) const {
     body.push = {};
+    body.way = {};
     // Water pushes and carries only floating bodies.
     const bool isWater = world.blueprints[mover.shafts.front().firstPart].isWater;
     body.isMet = (body.floats || !isWater) && isFree(world, travellerOf(body));
-    if (!body.isMet) return;
+    if (!body.isMet || body.map != mover.map) return;
+    if (motionOf(world, mover).isSideways()) {
+        meetSideways(body);
+    } else {
+        meetUpright(body);
+    }
+}
+
+// ---- Up and down
+
+void Move::meetUpright(Body& body) const {
     const Map& map = world.maps[static_cast<std::size_t>(mover.map)];
     const Box& box = body.box;
-    if (body.map == mover.map) {
-        const MovingEdges edges = world.motions[static_cast<std::size_t>(mover.motion)].edges;
-        const int west = std::max(mover.west, box.west.tile());
-        const int east = std::min(mover.east, Coordinate{box.east.raw - 1}.tile());
-        const int north = std::max(mover.north, box.north.tile());
-        const int south = std::min(mover.south, Coordinate{box.south.raw - 1}.tile());
-        for (int y = north; y <= south; ++y) {
-            for (int x = west; x <= east; ++x) {
-                for (const Shaft& shaft : mover.shafts) {
-                    if (map.cells[map.cellIndex(x, y, shaft.firstLevel)] != shaft.firstPart)
-                        continue;
-                    if (edges == MovingEdges::bottom ||
-                        !isOver(world.blueprints[shaft.firstPart].plan, x, y, box))
-                        continue;
-                    const Extent before = extentOf(shaft, edges, mover.offset);
-                    const Extent after = extentOf(shaft, edges, offset);
-                    const Coordinate rise = groundOf(after) - groundOf(before);
-                    const Coordinate above = box.bottom - groundOf(before);
-                    if (rise > Coordinate{0} && above >= Coordinate{0} && above < rise)
-                        body.push = std::max(body.push, rise - above);
-                    const bool stands = body.rides && above == Coordinate{0} && !before.isEmpty();
-                    if (rise < Coordinate{0} && stands && body.push <= Coordinate{0})
-                        body.push = std::min(body.push, rise);
-                }
+    const MovingEdges edges = motionOf(world, mover).edges;
+    const int west = std::max(mover.west, box.west.tile());
+    const int east = std::min(mover.east, Coordinate{box.east.raw - 1}.tile());
+    const int north = std::max(mover.north, box.north.tile());
+    const int south = std::min(mover.south, Coordinate{box.south.raw - 1}.tile());
+    for (int y = north; y <= south; ++y) {
+        for (int x = west; x <= east; ++x) {
+            for (const Shaft& shaft : mover.shafts) {
+                if (map.cells[map.cellIndex(x, y, shaft.first)] != shaft.firstPart) continue;
+                if (edges == MovingEdges::low ||
+                    !isOver(world.blueprints[shaft.firstPart].plan, x, y, box))
+                    continue;
+                const Extent before = extentOf(shaft, edges, mover.offset);
+                const Extent after = extentOf(shaft, edges, offset);
+                const Coordinate rise = groundOf(after) - groundOf(before);
+                const Coordinate above = box.bottom - groundOf(before);
+                if (rise > Coordinate{0} && above >= Coordinate{0} && above < rise)
+                    body.push = std::max(body.push, rise - above);
+                const bool stands = body.rides && above == Coordinate{0} && !before.isEmpty();
+                if (rise < Coordinate{0} && stands && body.push <= Coordinate{0})
+                    body.push = std::min(body.push, rise);
             }
         }
     }
@@ -107,53 +150,132 @@ Coordinate liftOf(const World& world, const Body& body) {
     return body.push < Coordinate{0} ? sweepZ(world, travellerOf(body), body.push) : body.push;
 }
 
-void stepMover(World& world, Mover& mover, std::span<Body> bodies) {
-    mover.previousOffset = mover.offset;
-    const Motion& motion = world.motions[static_cast<std::size_t>(mover.motion)];
-    const int clock = (mover.clock + 1) % motion.periodSteps;
-    const Coordinate offset = offsetAt(motion, clock);
-    if (offset == mover.offset) {
-        mover.clock = clock;
+// ---- Sideways
+
+// The lines of the shafts, that is their runs, that the body is beside or on.
+void Move::meetSideways(Body& body) const {
+    const Map& map = world.maps[static_cast<std::size_t>(mover.map)];
+    const bool alongX = motionOf(world, mover).axis == Axis::x;
+    const Box& box = body.box;
+    const Coordinate from = alongX ? box.north : box.west;
+    const Coordinate to = alongX ? box.south : box.east;
+    const int first = std::max(alongX ? mover.north : mover.west, from.tile());
+    const int last = std::min(alongX ? mover.south : mover.east, Coordinate{to.raw - 1}.tile());
+    const int lowest = std::max(0, Coordinate{box.bottom.raw - 1}.tile());
+    const int highest = std::min(map.levels - 1, box.top.tile());
+    for (int across = first; across <= last; ++across) {
+        for (int level = lowest; level <= highest; ++level) {
+            for (const Shaft& shaft : mover.shafts) {
+                const std::size_t cell = alongX ? map.cellIndex(shaft.first, across, level)
+                                                : map.cellIndex(across, shaft.first, level);
+                if (map.cells[cell] == shaft.firstPart) meetLine(body, shaft, across, level);
+            }
+        }
+    }
+}
+
+// A line of cells in that row, or column, of tiles. A push outdoes the way of what rests on it.
+void Move::meetLine(Body& body, const Shaft& shaft, int across, int level) const {
+    const Motion& motion = motionOf(world, mover);
+    const bool alongX = motion.axis == Axis::x;
+    const CellBlueprint& part = world.blueprints[shaft.firstPart];
+    const Box& box = body.box;
+    const Extent side =
+        alongX ? Extent{part.plan.north, part.plan.south} : Extent{part.plan.west, part.plan.east};
+    if (tileEdge(across) + side.low >= (alongX ? box.south : box.east) ||
+        tileEdge(across) + side.high <= (alongX ? box.north : box.west))
+        return;
+    const Extent self = alongX ? Extent{box.west, box.east} : Extent{box.north, box.south};
+    const Extent before = extentOf(shaft, motion.edges, mover.offset);
+    const Extent after = extentOf(shaft, motion.edges, offset);
+    const Coordinate top = tileEdge(level) + part.top;
+    if (box.bottom == top) {
+        const bool rests = body.rides && before.low < self.high && before.high > self.low;
+        if (rests && motion.edges == MovingEdges::both && body.push == Coordinate{0})
+            body.push = offset - mover.offset;
         return;
     }
-    // Try: move it with all bodies on it
-    const auto eachBody = [&](auto action) {
-        eachEncounter(world.encounters, mover.firstEncounter,
-                      [&](int body) { action(bodies[static_cast<std::size_t>(body)]); });
+    if (box.bottom > top || box.top <= tileEdge(level) + part.bottom || after.isEmpty()) return;
+    if (self.low >= before.high && self.low < after.high)
+        body.push = std::max(body.push, after.high - self.low);
+    if (self.high <= before.low && self.high > after.low)
+        body.push = std::min(body.push, after.low - self.high);
+}
+
+Offset alongAxis(Axis axis, Coordinate way) {
+    return {.x = axis == Axis::x ? way : Coordinate{},
+            .y = axis == Axis::y ? way : Coordinate{},
+            .z = axis == Axis::z ? way : Coordinate{}};
+}
+
+// The mover is not there while the bodies go: it goes at the same time.
+void moveSideways(World& world, const Mover& mover, std::span<Body> bodies) {
+    const Axis axis = motionOf(world, mover).axis;
+    const auto setPassable = [&](bool passable) {
+        for (const Shaft& shaft : mover.shafts) {
+            for (CellBlueprint& part : partsOf(world, shaft)) part.passable = passable;
+        }
     };
-    eachBody([&](Body& body) { Move{world, mover, offset}.meet(body); });
-    place(world, mover, offset);
-    bool isInTheWay = false;
-    eachBody([&](const Body& body) {
-        isInTheWay =
-            isInTheWay || (body.isMet && !isFree(world, travellerOf(body, liftOf(world, body))));
+    setPassable(true);
+    eachBody(world, mover, bodies, [&](Body& body) {
+        if (body.isMet && body.push != Coordinate{0} && !body.straddles)
+            body.way = alongAxis(axis, sweepSideways(world, travellerOf(body), axis, body.push));
     });
-    if (isInTheWay) {
-        place(world, mover, mover.offset);
-        return;
-    }
-    eachBody([&](Body& body) {
-        if (!body.isMet || body.push == Coordinate{0}) return;
-        const Traveller lifted = travellerOf(body, liftOf(world, body));
-        body.lift = body.lift + (lifted.box.bottom - body.box.bottom);
-        body.box = lifted.box;
-        body.eye = lifted.eye;
-    });
-    mover.clock = clock;
-    mover.offset = offset;
+    setPassable(false);
+}
+
+// ---- All of them
+
+void stepMover(World& world, Mover& mover, std::span<Body> bodies) {
+    const Motion& motion = motionOf(world, mover);
+    const int clock = nextStep(motion, mover.clock);
+    if (moveTo(world, mover, offsetAt(motion, clock), bodies)) mover.clock = clock;
 }
 
 }  // namespace
 
+bool moveTo(World& world, Mover& mover, Coordinate offset, std::span<Body> bodies) {
+    if (offset == mover.offset) return true;
+    const bool isSideways = motionOf(world, mover).isSideways();
+    // Try: move it with all bodies on it
+    eachBody(world, mover, bodies, [&](Body& body) { Move{world, mover, offset}.meet(body); });
+    if (isSideways) moveSideways(world, mover, bodies);
+    place(world, mover, offset);
+    if (!isSideways) {
+        eachBody(world, mover, bodies, [&](Body& body) {
+            if (body.isMet) body.way = alongAxis(Axis::z, liftOf(world, body));
+        });
+    }
+    if (isAnyInTheWay(world, mover, bodies)) {
+        place(world, mover, mover.offset);
+        return false;
+    }
+    eachBody(world, mover, bodies, [&](Body& body) {
+        if (!body.isMet || body.push == Coordinate{0}) return;
+        const Traveller there = travellerOf(body, body.way);
+        body.shift = {.x = body.shift.x + body.way.x,
+                      .y = body.shift.y + body.way.y,
+                      .z = body.shift.z + body.way.z};
+        body.box = there.box;
+        body.eye = there.eye;
+    });
+    mover.offset = offset;
+    return true;
+}
+
 void stepMovers(World& world, std::span<Body> bodies) {
-    for (Mover& mover : world.movers) stepMover(world, mover, bodies);
+    for (Mover& mover : world.movers) {
+        mover.previousOffset = mover.offset;
+        if (mover.gate < 0) stepMover(world, mover, bodies);
+    }
 }
 
 void resetMovers(World& world) {
     for (Mover& mover : world.movers) {
+        const Motion& motion = motionOf(world, mover);
         mover.clock = 0;
         mover.offset = mover.previousOffset =
-            offsetAt(world.motions[static_cast<std::size_t>(mover.motion)], 0);
+            motion.hasPeriod() ? offsetAt(motion, 0) : motion.from;
         place(world, mover, mover.offset);
     }
 }
@@ -165,6 +287,25 @@ void showMovers(World& world, double fraction) {
         const Coordinate way = mover.offset - mover.previousOffset;
         place(world, mover, mover.previousOffset + toCoordinate(way.value() * part));
     }
+}
+
+Box boundsOf(const World& world, const Mover& mover) {
+    const Shaft& shaft = mover.shafts[0];
+    const Motion& motion = motionOf(world, mover);
+    const Map& map = world.maps[static_cast<std::size_t>(mover.map)];
+    const CellBlueprint& part = world.blueprints[shaft.firstPart];
+    const auto level = static_cast<int>(shaft.firstCells[0] % static_cast<std::size_t>(map.levels));
+    Box box = {tileEdge(mover.west),          tileEdge(mover.east + 1),
+               tileEdge(mover.north),         tileEdge(mover.south + 1),
+               tileEdge(level) + part.bottom, tileEdge(level) + part.top};
+    const Extent extent = extentOf(shaft, motion.edges, mover.offset);
+    (motion.axis == Axis::x   ? box.west
+     : motion.axis == Axis::y ? box.north
+                              : box.bottom) = extent.low;
+    (motion.axis == Axis::x   ? box.east
+     : motion.axis == Axis::y ? box.south
+                              : box.top) = extent.high;
+    return box;
 }
 
 }  // namespace slicecast

@@ -1,22 +1,25 @@
-// Movers: blocks whose bottom, top or both go up and down by a motion.
+// Movers: blocks that move along an axis by a motion, as a whole or some edge of them.
 //
 //      |     |  level 2
 //      |:::::|                  Each shaft has a blueprint of its own on every level that it can
 //      |#####|  level 1         reach. It is cut off at the level's borders, and empty while the
-//      |#####|                  shaft is elsewhere.
-//      |     |  level 0
+//      |#####|                  shaft is elsewhere. A shaft along x or y is the same, with tiles in
+//      |     |  level 0         the place of levels.
 //      +-----+
 //
 // Cells of one moving blueprint that touch, side by side or stacked, are one mover: all of it moves
-// by the same offset. A shaft is a vertical run of its cells, shared by all tiles that have the
-// same run.
+// by the same offset. A shaft is a run of its cells along the axis, shared by all places that have
+// the same run.
 //
 // A mover waits, and its clock with it, while it would enter a body that was free. It lifts bodies
 // that stand on its top or that it meets from below; bodies that rest on it go down with it too.
+// One that goes sideways pushes bodies before it, and takes along those that rest on it, as far as
+// they have room. It takes nobody into a portal or out of one.
 #pragma once
 
 #include "base/coordinate.h"
 #include "world/blueprint.h"
+#include "world/box.h"
 #include "world/placing_fault.h"
 
 #include <cstddef>
@@ -32,18 +35,19 @@ struct World;
 inline constexpr std::size_t kMaxMovingCells = 1'000'000;
 
 struct Shaft {
-    Coordinate low;  // above the map's floor, without the motion's offset
+    Coordinate low;  // along the axis, without the motion's offset
     Coordinate high;
-    int firstLevel = 0;  // the levels that it can reach
-    int lastLevel = 0;
-    BlueprintId firstPart = kEmptyCell;  // on firstLevel; those of the levels above follow it
-    std::vector<std::size_t> tiles;      // Map::tileIndex
+    int first = 0;  // the levels, or tiles, that it can reach
+    int last = 0;
+    BlueprintId firstPart = kEmptyCell;   // in `first`; those of the next places follow it
+    std::vector<std::size_t> firstCells;  // Map::cellIndex of the cell in `first`, of each run
 };
 
 struct Mover {
     int map = 0;  // indices into World::maps and World::motions
     int motion = 0;
-    int west = 0;  // its bounding tiles, inclusive
+    int gate = -1;  // index into World::gates of the gate that moves it; -1 if its clock does
+    int west = 0;   // the tiles that it can reach, inclusive
     int east = 0;
     int north = 0;
     int south = 0;
@@ -58,8 +62,11 @@ struct Mover {
 // Returns faults; with any the world is unusable.
 std::vector<PlacingFault> makeMovers(World& world);
 
-// One step of all movers. Moves the bodies along. Call findEncounters before.
+// One step of all movers that no gate moves. Moves the bodies along. Call findEncounters before.
 void stepMovers(World& world, std::span<Body> bodies);
+
+// Moves a mover to an offset, and the bodies along. False if it has to wait.
+bool moveTo(World& world, Mover& mover, Coordinate offset, std::span<Body> bodies);
 
 // Restores the initial places.
 void resetMovers(World& world);
@@ -67,5 +74,8 @@ void resetMovers(World& world);
 // Shows the movers at `fraction` (0 to 1) of the way between the last two steps, for a picture.
 // Reset to 1 before the next step.
 void showMovers(World& world, double fraction);
+
+// A box around where it is at present. Of several shafts the first tells its place along the axis.
+Box boundsOf(const World& world, const Mover& mover);
 
 }  // namespace slicecast

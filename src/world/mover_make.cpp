@@ -1,5 +1,6 @@
 // Finds the movers of a world and gives each blueprints of its own.
 #include "base/number_text.h"
+#include "base/sort.h"
 #include "base/words.h"
 #include "world/mover.h"
 #include "world/moving_cells.h"
@@ -7,17 +8,26 @@
 
 #include <algorithm>
 #include <string>
+#include <string_view>
+#include <utility>
 
 namespace slicecast {
 namespace {
 
-// The levels that a shaft's cells occupy in the scene, lowest first, and their blueprints.
+// The cells of a shaft in the scene, the lowest first, and their blueprints.
 struct Run {
-    int firstLevel = 0;
+    CellPlace at;
     std::vector<BlueprintId> blueprints;
 
-    int lastLevel() const { return firstLevel + static_cast<int>(blueprints.size()) - 1; }
-    friend bool operator==(const Run&, const Run&) = default;
+    // Shafts are shared by runs in the same place along the axis.
+    bool isLike(const Run& other, Axis axis) const {
+        return placeIn(axis) == other.placeIn(axis) && blueprints == other.blueprints;
+    }
+    int placeIn(Axis axis) const {
+        CellPlace cell = at;
+        return placeAlong(cell, axis);
+    }
+    int lastIn(Axis axis) const { return placeIn(axis) + static_cast<int>(blueprints.size()) - 1; }
 };
 
 struct Maker {
@@ -32,107 +42,144 @@ struct Maker {
         return words("the moving block \"", world.blueprints[id].name, "\"");
     }
 
-    void makeMover(int mapIndex, const std::vector<CellPlace>& group);
-    bool makeShaft(int mapIndex, const CellPlace& at, const Run& run, const Motion& motion,
-                   int mover, Shaft& shaft);
-    bool takeTile(int mapIndex, const CellPlace& at, const Run& run, Shaft& shaft);
+    void makeMover(int mapIndex, std::vector<CellPlace> group);
+    bool makeShaft(int mapIndex, const Run& run, const Motion& motion, int mover, Shaft& shaft);
+    bool findReach(int mapIndex, const Run& run, const Motion& motion, Shaft& shaft);
+    bool takeRun(int mapIndex, const Run& run, Axis axis, Shaft& shaft);
 };
 
-std::string heightText(Coordinate height) {
-    std::string text(fixedText(height.value(), 6));
+std::string numberText(Coordinate number) {
+    std::string text(fixedText(number.value(), 6));
     text.erase(text.find_last_not_of('0') + 1);
     if (text.back() == '.') text.pop_back();
     return text;
 }
 
-// Sets a shaft's extent, levels and blueprints. `at` is its lowest cell in its first tile.
-bool Maker::makeShaft(int mapIndex, const CellPlace& at, const Run& run, const Motion& motion,
-                      int mover, Shaft& shaft) {
-    const Map& map = world.maps[static_cast<std::size_t>(mapIndex)];
+// How a fault names the axis.
+std::string_view axisName(Axis axis) {
+    return axis == Axis::x ? "x" : axis == Axis::y ? "y" : "height";
+}
+
+// Sets a shaft's extent, its places and blueprints.
+bool Maker::makeShaft(int mapIndex, const Run& run, const Motion& motion, int mover, Shaft& shaft) {
     const std::string block = blockOf(run.blueprints[0]);
+    CellBlueprint lowest = world.blueprints[run.blueprints.front()];
+    CellBlueprint highest = world.blueprints[run.blueprints.back()];
     for (std::size_t i = 0; i + 1 < run.blueprints.size(); ++i) {
-        if (world.blueprints[run.blueprints[i]].top == tileEdge(1) &&
-            world.blueprints[run.blueprints[i + 1]].bottom == Coordinate{0})
+        CellBlueprint part = world.blueprints[run.blueprints[i]];
+        CellBlueprint next = world.blueprints[run.blueprints[i + 1]];
+        if (highEdge(part, motion.axis) == tileEdge(1) &&
+            lowEdge(next, motion.axis) == Coordinate{0})
             continue;
-        addFault(mapIndex, at, words(block, " stacked with a gap between its parts"),
-                 "a bottom of 0 and a top of 1 where moving blocks are stacked");
+        addFault(mapIndex, run.at,
+                 words(block, motion.isSideways() ? " in a row" : " stacked",
+                       " with a gap between its parts"),
+                 motion.isSideways()
+                     ? words("a \"plan\" that goes on along ", axisName(motion.axis),
+                             " where moving blocks touch")
+                     : "a bottom of 0 and a top of 1 where moving blocks are stacked");
         return false;
     }
-    shaft.low = tileEdge(run.firstLevel) + world.blueprints[run.blueprints.front()].bottom;
-    shaft.high = tileEdge(run.lastLevel()) + world.blueprints[run.blueprints.back()].top;
+    shaft.low = tileEdge(run.placeIn(motion.axis)) + lowEdge(lowest, motion.axis);
+    shaft.high = tileEdge(run.lastIn(motion.axis)) + highEdge(highest, motion.axis);
+    if (!findReach(mapIndex, run, motion, shaft)) return false;
 
-    // Its range
-    const Coordinate least = std::min(motion.from, motion.to);
-    const Coordinate most = std::max(motion.from, motion.to);
-    const Coordinate lowest = motion.edges == MovingEdges::top ? shaft.low : shaft.low + least;
-    const Coordinate highest = motion.edges == MovingEdges::bottom ? shaft.high : shaft.high + most;
-    if (lowest < Coordinate{0} || highest > tileEdge(map.levels)) {
-        addFault(mapIndex, at,
-                 words(block, " that moves from height ", heightText(lowest), " to ",
-                       heightText(highest)),
-                 words("a motion that stays between 0 and the map's ", map.levels, " levels"));
-        return false;
-    }
-    if (lowest >= highest) {
-        addFault(mapIndex, at, words(block, " whose top never gets above its bottom"),
-                 "a motion during which the block is visible");
-        return false;
-    }
-    shaft.firstLevel = std::min(run.firstLevel, lowest.tile());
-    shaft.lastLevel = std::max(run.lastLevel(), Coordinate{highest.raw - 1}.tile());
-
-    // A blueprint for each level
-    const std::size_t parts = static_cast<std::size_t>(shaft.lastLevel - shaft.firstLevel + 1);
+    // A blueprint for each place
+    const std::size_t parts = static_cast<std::size_t>(shaft.last - shaft.first + 1);
     if (world.blueprints.size() + parts > static_cast<std::size_t>(kMaxBlueprints)) {
-        addFault(mapIndex, at,
+        addFault(mapIndex, run.at,
                  words(block, " whose parts make more than ", kMaxBlueprints, " blueprints"),
-                 "fewer moving blocks and gates, or fewer levels that they reach");
+                 motion.isSideways()
+                     ? "fewer moving blocks and gates, or fewer tiles that they reach"
+                     : "fewer moving blocks and gates, or fewer levels that they reach");
         return false;
     }
     shaft.firstPart = static_cast<BlueprintId>(world.blueprints.size());
-    for (int level = shaft.firstLevel; level <= shaft.lastLevel; ++level) {
-        const int source = std::clamp(level, run.firstLevel, run.lastLevel()) - run.firstLevel;
+    for (int place = shaft.first; place <= shaft.last; ++place) {
+        const int source = std::clamp(place, run.placeIn(motion.axis), run.lastIn(motion.axis)) -
+                           run.placeIn(motion.axis);
         CellBlueprint part = instanceOf(world, run.blueprints[static_cast<std::size_t>(source)]);
-        part.bottom = Coordinate{0};
-        part.top = tileEdge(1);
+        lowEdge(part, motion.axis) = Coordinate{0};
+        highEdge(part, motion.axis) = tileEdge(1);
+        // No face stands still at a tile's border while the block goes through it
+        if (motion.isSideways()) part.join = true;
         part.mover = mover;
         world.blueprints.push_back(std::move(part));
     }
     return true;
 }
 
-// Takes a tile's cells in the shaft's range, which must be empty except for its own.
-bool Maker::takeTile(int mapIndex, const CellPlace& at, const Run& run, Shaft& shaft) {
+// Sets the places that a shaft reaches, which must lie in the map.
+bool Maker::findReach(int mapIndex, const Run& run, const Motion& motion, Shaft& shaft) {
+    const Map& map = world.maps[static_cast<std::size_t>(mapIndex)];
+    const std::string block = blockOf(run.blueprints[0]);
+    const Coordinate least = std::min(motion.from, motion.to);
+    const Coordinate most = std::max(motion.from, motion.to);
+    const Coordinate lowest = motion.edges == MovingEdges::high ? shaft.low : shaft.low + least;
+    const Coordinate highest = motion.edges == MovingEdges::low ? shaft.high : shaft.high + most;
+    const int end = motion.axis == Axis::x   ? map.width
+                    : motion.axis == Axis::y ? map.depth
+                                             : map.levels;
+    if (lowest < Coordinate{0} || highest > tileEdge(end)) {
+        addFault(mapIndex, run.at,
+                 words(block, " that moves from ", axisName(motion.axis), " ", numberText(lowest),
+                       " to ", numberText(highest)),
+                 motion.isSideways()
+                     ? words("a motion that stays in the map, from ", axisName(motion.axis),
+                             " 0 to ", end)
+                     : words("a motion that stays between 0 and the map's ", end, " levels"));
+        return false;
+    }
+    if (lowest >= highest) {
+        addFault(mapIndex, run.at,
+                 motion.isSideways() ? words(block, " whose edges never part")
+                                     : words(block, " whose top never gets above its bottom"),
+                 "a motion during which the block is visible");
+        return false;
+    }
+    shaft.first = std::min(run.placeIn(motion.axis), lowest.tile());
+    shaft.last = std::max(run.lastIn(motion.axis), Coordinate{highest.raw - 1}.tile());
+    return true;
+}
+
+// Takes the cells that a run reaches, which must be empty except for its own.
+bool Maker::takeRun(int mapIndex, const Run& run, Axis axis, Shaft& shaft) {
     Map& map = world.maps[static_cast<std::size_t>(mapIndex)];
     const std::size_t reached =
-        static_cast<std::size_t>(shaft.lastLevel - shaft.firstLevel + 1) - run.blueprints.size();
+        static_cast<std::size_t>(shaft.last - shaft.first + 1) - run.blueprints.size();
     if (reached > cells) {
-        addFault(mapIndex, at,
+        addFault(mapIndex, run.at,
                  words("moving blocks that reach more than ", kMaxMovingCells, " cells"),
                  "fewer or smaller ones");
         return false;
     }
     cells -= reached;
-    for (int level = shaft.firstLevel; level <= shaft.lastLevel; ++level) {
-        const BlueprintId there = map.cell(at.x, at.y, level);
-        const bool isOwn = level >= run.firstLevel && level <= run.lastLevel();
+    CellPlace cell = run.at;
+    int& place = placeAlong(cell, axis);
+    for (place = shaft.first; place <= shaft.last; ++place) {
+        const BlueprintId there = map.cell(cell.x, cell.y, cell.level);
+        const bool isOwn = place >= run.placeIn(axis) && place <= run.lastIn(axis);
         if (!isOwn && there != kEmptyCell) {
             const CellBlueprint& other = world.blueprints[there];
-            addFault(mapIndex, at,
-                     words(blockOf(run.blueprints[0]), " that runs into \"", other.name,
-                           "\" on level ", level),
-                     other.mover >= 0 ? "moving blocks that do not reach each other"
-                                      : "empty cells wherever it moves");
+            const std::string where = axis == Axis::z
+                                          ? words(" on level ", place)
+                                          : words(" in tile (", cell.x, ", ", cell.y, ")");
+            addFault(
+                mapIndex, run.at,
+                words(blockOf(run.blueprints[0]), " that runs into \"", other.name, "\"", where),
+                other.mover >= 0 ? "moving blocks that do not reach each other"
+                                 : "empty cells wherever it moves");
             return false;
         }
-        map.setChangingCell(at.x, at.y, level,
-                            static_cast<BlueprintId>(shaft.firstPart + (level - shaft.firstLevel)));
+        map.setChangingCell(cell.x, cell.y, cell.level,
+                            static_cast<BlueprintId>(shaft.firstPart + (place - shaft.first)));
     }
-    shaft.tiles.push_back(map.tileIndex(at.x, at.y));
+    place = shaft.first;
+    shaft.firstCells.push_back(map.cellIndex(cell.x, cell.y, cell.level));
     return true;
 }
 
-void Maker::makeMover(int mapIndex, const std::vector<CellPlace>& group) {
+void Maker::makeMover(int mapIndex, std::vector<CellPlace> group) {
     const Map& map = world.maps[static_cast<std::size_t>(mapIndex)];
     const int index = static_cast<int>(world.movers.size());
     Mover mover;
@@ -141,31 +188,37 @@ void Maker::makeMover(int mapIndex, const std::vector<CellPlace>& group) {
     mover.west = mover.east = group[0].x;
     mover.north = mover.south = group[0].y;
     const Motion& motion = world.motions[static_cast<std::size_t>(mover.motion)];
+    const Axis axis = motion.axis;
+    // Cells of a run follow each other
+    const auto acrossFirst = [axis](CellPlace a, CellPlace b) {
+        const int placeA = std::exchange(placeAlong(a, axis), 0);
+        const int placeB = std::exchange(placeAlong(b, axis), 0);
+        return a != b ? a < b : placeA < placeB;
+    };
+    mergeSort(group, acrossFirst);
     std::vector<Run> runs;  // of the shafts
     for (std::size_t i = 0; i < group.size();) {
-        // A vertical run of cells
-        const CellPlace at = group[i];
-        Run run;
-        run.firstLevel = at.level;
-        for (; i < group.size() &&
-               group[i] ==
-                   CellPlace{at.x, at.y, run.firstLevel + static_cast<int>(run.blueprints.size())};
-             ++i) {
-            run.blueprints.push_back(map.cell(at.x, at.y, group[i].level));
-        }
-        // Its shaft, shared by all tiles with the same run
-        const auto known = std::find(runs.begin(), runs.end(), run);
-        const auto shaft = static_cast<std::size_t>(known - runs.begin());
+        Run run = {group[i], {}};
+        CellPlace next = run.at;
+        for (; i < group.size() && group[i] == next; ++i, ++placeAlong(next, axis))
+            run.blueprints.push_back(map.cell(next.x, next.y, next.level));
+        // Its shaft, shared by all places with the same run
+        const auto known = std::find_if(runs.begin(), runs.end(),
+                                        [&](const Run& other) { return other.isLike(run, axis); });
+        const auto number = static_cast<std::size_t>(known - runs.begin());
         if (known == runs.end()) {
             mover.shafts.emplace_back();
-            if (!makeShaft(mapIndex, at, run, motion, index, mover.shafts.back())) return;
+            if (!makeShaft(mapIndex, run, motion, index, mover.shafts.back())) return;
             runs.push_back(run);
         }
-        if (!takeTile(mapIndex, at, run, mover.shafts[shaft])) return;
-        mover.west = std::min(mover.west, at.x);
-        mover.east = std::max(mover.east, at.x);
-        mover.north = std::min(mover.north, at.y);
-        mover.south = std::max(mover.south, at.y);
+        Shaft& shaft = mover.shafts[number];
+        if (!takeRun(mapIndex, run, axis, shaft)) return;
+        const bool alongX = axis == Axis::x;
+        const bool alongY = axis == Axis::y;
+        mover.west = std::min(mover.west, alongX ? shaft.first : run.at.x);
+        mover.east = std::max(mover.east, alongX ? shaft.last : run.at.x);
+        mover.north = std::min(mover.north, alongY ? shaft.first : run.at.y);
+        mover.south = std::max(mover.south, alongY ? shaft.last : run.at.y);
     }
     world.movers.push_back(std::move(mover));
 }

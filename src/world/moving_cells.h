@@ -15,6 +15,27 @@ struct CellPlace {
     friend auto operator<=>(const CellPlace&, const CellPlace&) = default;
 };
 
+// The place of a cell along an axis.
+inline int& placeAlong(CellPlace& cell, Axis axis) {
+    return axis == Axis::x ? cell.x : axis == Axis::y ? cell.y : cell.level;
+}
+
+// How far apart the cells of a map are that follow each other along an axis (see Map::cellIndex).
+inline std::size_t cellStep(const Map& map, Axis axis) {
+    const auto levels = static_cast<std::size_t>(map.levels);
+    return axis == Axis::z   ? 1
+           : axis == Axis::x ? levels
+                             : levels * static_cast<std::size_t>(map.width);
+}
+
+// The ends of a block along an axis, within its cell.
+inline Coordinate& lowEdge(CellBlueprint& block, Axis axis) {
+    return axis == Axis::x ? block.plan.west : axis == Axis::y ? block.plan.north : block.bottom;
+}
+inline Coordinate& highEdge(CellBlueprint& block, Axis axis) {
+    return axis == Axis::x ? block.plan.east : axis == Axis::y ? block.plan.south : block.top;
+}
+
 // For each blueprint the first one of its name, because instances share names and cells of one name
 // belong together. 0 for blueprints whose `CellBlueprint::*index` is negative.
 std::vector<BlueprintId> kindsOf(const World& world, int CellBlueprint::*index);

@@ -293,7 +293,9 @@ void addBodies(const World& world, std::vector<Body>& bodies) {
 void liftObjects(World& world, std::span<const Body> bodies) {
     for (std::size_t i = 0; i < bodies.size(); ++i) {
         Object& object = movedObject(world, world.movingObjects.motions[i]);
-        object.z = object.z + bodies[i].lift;
+        object.x = object.x + bodies[i].shift.x;
+        object.y = object.y + bodies[i].shift.y;
+        object.z = object.z + bodies[i].shift.z;
     }
 }
 

@@ -276,6 +276,17 @@ Coordinate sweepZ(const World& world, const Traveller& body, Coordinate distance
                                  : sweepZAmong(PortalSolids(world, body), body.box, distance);
 }
 
+Coordinate sweepSideways(const World& world, const Traveller& body, Axis axis,
+                         Coordinate distance) {
+    if (!isThere(world, body)) return {};
+    const auto among = [&](const Solids& solids) {
+        return axis == Axis::x ? sweepXAmong(solids, body.box, distance)
+                               : sweepYAmong(solids, body.box, distance);
+    };
+    return world.portals.empty() ? among(MapSolids(world, mapOf(world, body), body.floats))
+                                 : among(PortalSolids(world, body));
+}
+
 bool isSupported(const World& world, const Traveller& body) {
     return sweepZ(world, body, {-1}).raw == 0;
 }

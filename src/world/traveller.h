@@ -27,6 +27,7 @@
 
 #include "base/coordinate.h"
 #include "world/collision.h"
+#include "world/motion.h"
 #include "world/portal.h"
 
 namespace slicecast {
@@ -58,6 +59,10 @@ bool isFree(const World& world, const Traveller& body);
 // Like sweepZ and isSupported in collision.h; nothing moves.
 Coordinate sweepZ(const World& world, const Traveller& body, Coordinate distance);
 bool isSupported(const World& world, const Traveller& body);
+
+// The same along x or y, among what is on this side of all portals that the body does not reach
+// into.
+Coordinate sweepSideways(const World& world, const Traveller& body, Axis axis, Coordinate distance);
 
 // Where a body slides that rests on slopes steeper than kSteepest and on nothing else: how far they
 // fall per unit along x and y, eastward and southward positive. 0 elsewhere.

@@ -43,10 +43,15 @@ void markPortals(World& world) {
     }
 }
 
+bool movesSideways(const World& world, const CellBlueprint& block) {
+    return block.motion >= 0 && world.motions[static_cast<std::size_t>(block.motion)].isSideways();
+}
+
 void markPlans(World& world) {
-    world.hasPlans =
-        std::any_of(world.blueprints.begin(), world.blueprints.end(),
-                    [](const CellBlueprint& blueprint) { return !blueprint.plan.isWhole(); });
+    world.hasPlans = std::any_of(
+        world.blueprints.begin(), world.blueprints.end(), [&](const CellBlueprint& blueprint) {
+            return !blueprint.plan.isWhole() || movesSideways(world, blueprint);
+        });
 }
 
 }  // namespace slicecast

@@ -78,6 +78,9 @@ void markSeeThrough(World& world);
 // Sets CellBlueprint::hasPortals. Portals must be complete.
 void markPortals(World& world);
 
+// Whether a block moves along x or y, so that it may fill only a part of its tile at times.
+bool movesSideways(const World& world, const CellBlueprint& block);
+
 // Sets World::hasPlans. Blueprints must be complete.
 void markPlans(World& world);
 

@@ -34,7 +34,7 @@ bool isStill(const World& world) {
 void stepWorld(World& world, std::span<Body> bodies, const GateAsk& ask) {
     if (isStill(world)) return;
     for (Body& body : bodies) {
-        body.lift = {};
+        body.shift = {};
         body.straddles = !world.portals.empty() && reachesIntoPortal(world, body);
     }
     findEncounters(world, bodies);
@@ -53,6 +53,9 @@ void addTo(Hash& hash, const World& world) {
         for (const int number :
              {gate.progress, int{gate.wantsOpen}, int{gate.isNear}, gate.awaySteps})
             hash.add(std::int64_t{number});
+        const GateKind& kind = world.gateKinds[static_cast<std::size_t>(gate.kind)];
+        if (kind.everySteps > 0) hash.add(std::int64_t{gate.waitSteps});
+        if (!kind.follows.empty()) hash.add(std::int64_t{gate.isLed});
     }
 }
 

@@ -139,12 +139,46 @@ void addObjects(Random& random, World& world) {
     }
 }
 
+// Blocks that go east and west, or south and north, between two tiles of their own.
+void addSliders(Random& random, World& world) {
+    for (const Axis axis : {Axis::x, Axis::y}) {
+        CellBlueprint sliding = world.blueprints[1];
+        for (FaceBlueprint& face : sliding.faces) face.portal = kNoPortal;
+        sliding.name = axis == Axis::x ? "slides along x" : "slides along y";
+        sliding.plan = {};
+        sliding.slopes = {};
+        sliding.motion = static_cast<int>(world.motions.size());
+        world.motions.push_back({.name = sliding.name,
+                                 .axis = axis,
+                                 .to = {random.between(1, 65536)},
+                                 .periodSteps = random.between(200, 800),
+                                 .phaseSteps = random.below(200)});
+        const auto id = static_cast<BlueprintId>(world.blueprints.size());
+        world.blueprints.push_back(std::move(sliding));
+        for (Map& map : world.maps) {
+            const Cell at = anyCell(random, map);
+            const Cell next = {at.x + (axis == Axis::x ? 1 : 0), at.y + (axis == Axis::y ? 1 : 0),
+                               at.level};
+            // Nothing else may move in their columns
+            const auto isTaken = [&](const Cell& cell) {
+                for (int level = 0; level < map.levels; ++level) {
+                    if (!world.blueprints[map.cell(cell.x, cell.y, level)].isStill()) return true;
+                }
+                return false;
+            };
+            if (!map.contains(next.x, next.y) || isTaken(at) || isTaken(next)) continue;
+            map.setCell(next.x, next.y, next.level, kEmptyCell);
+            map.setCell(at.x, at.y, at.level, id);
+        }
+    }
+}
+
 // In columns of their own, so that nothing is in their way.
 void addMovers(Random& random, World& world) {
     for (int i = 0; i < 3; ++i) {
         Motion motion;
         motion.name = "motion " + std::to_string(i);
-        motion.edges = i == 0 ? MovingEdges::both : MovingEdges::top;
+        motion.edges = i == 0 ? MovingEdges::both : MovingEdges::high;
         motion.from = {i == 0 ? 0 : -random.between(1, 30000)};
         motion.to = {i == 0 ? random.between(1, 65536) : 0};
         motion.periodSteps = random.between(200, 800);
@@ -292,6 +326,7 @@ void addFeatures(Random& random, World& world) {
     addPortals(random, world);
     addObjects(random, world);
     addMovers(random, world);
+    addSliders(random, world);
     if (!makeMovers(world).empty() || !makeGates(world).empty()) std::abort();
     markPortals(world);
     addWater(random, world);

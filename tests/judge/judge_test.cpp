@@ -167,6 +167,8 @@ TEST(Judge, SmallPictures) {
                          {"sloped roof", 20000},
                          {"sloped underside", 5000},
                          {"slope from inside", 5000},
+                         {"slid side", 20000},
+                         {"slid plane", 20000},
                          {"sloped roof above the horizon", 500},
                          {"sloped underside below the horizon", 300},
                          {"mirror behind a portal", 5000},

@@ -113,18 +113,22 @@ std::optional<LightTracer::Solid> LightTracer::solidAt(int x, int y, int level) 
     const BlueprintId id = map_.cell(x, y, level);
     if (id == kEmptyCell) return std::nullopt;
     const CellBlueprint& block = world_.blueprints[id];
-    std::int64_t bottom = block.bottom.raw;
-    std::int64_t top = block.top.raw;
+    Vector low = {block.plan.west.raw, block.plan.north.raw, block.bottom.raw};
+    Vector high = {block.plan.east.raw, block.plan.south.raw, block.top.raw};
     if (block.mover >= 0) {
-        bottom = bottom / kQuarterUnit * kQuarterUnit;
-        top = (top + kQuarterUnit - 1) / kQuarterUnit * kQuarterUnit;
+        Axis axis = Axis::z;
+        if (block.motion >= 0) axis = world_.motions[static_cast<std::size_t>(block.motion)].axis;
+        auto& from = low[static_cast<std::size_t>(axis)];
+        auto& to = high[static_cast<std::size_t>(axis)];
+        from = from / kQuarterUnit * kQuarterUnit;
+        to = (to + kQuarterUnit - 1) / kQuarterUnit * kQuarterUnit;
     }
     const std::int64_t west = tileEdge(x).raw;
     const std::int64_t north = tileEdge(y).raw;
     const std::int64_t base = tileEdge(level).raw;
     Solid solid;
-    solid.low = {west + block.plan.west.raw, north + block.plan.north.raw, base + bottom};
-    solid.high = {west + block.plan.east.raw, north + block.plan.south.raw, base + top};
+    solid.low = {west + low[0], north + low[1], base + low[2]};
+    solid.high = {west + high[0], north + high[1], base + high[2]};
     solid.id = id;
     for (int face = 0; face < kFaces; ++face) {
         const auto which = static_cast<Face>(face);
@@ -136,8 +140,8 @@ std::optional<LightTracer::Solid> LightTracer::solidAt(int x, int y, int level) 
             const Slant& slant = which == Face::top ? block.slopes.top : block.slopes.bottom;
             const std::int64_t rise = slant.isLevel() ? 0 : slant.to.raw - slant.from.raw;
             const std::int64_t height = base + (!slant.isLevel()     ? slant.from.raw
-                                                : which == Face::top ? top
-                                                                     : bottom);
+                                                : which == Face::top ? high[2]
+                                                                     : low[2]);
             const std::size_t along = block.slopes.alongX ? 0 : 1;
             plane.n[2] = 65536;
             plane.n[along] = -rise;

@@ -212,4 +212,82 @@ void changeMovers(Random& random, World& world) {
     }
 }
 
+namespace {
+
+// One row of cells along an axis from a place on, in which a block of that shape reaches from `low`
+// to `high` along the axis. Its parts are one mover.
+struct Slider {
+    Axis axis;
+    Cell from;
+    int cells;
+    Coordinate low;
+    Coordinate high;
+    BlueprintId shape;
+    int mover;
+    int motion;
+    Coordinate offset;
+};
+
+void placeSlider(World& world, Map& map, const Slider& slider) {
+    Cell at = slider.from;
+    int& place = slider.axis == Axis::x ? at.x : at.y;
+    for (int i = 0; i < slider.cells; ++i, ++place) {
+        if (!map.contains(at.x, at.y)) return;
+        const CellBlueprint& there = world.blueprints[map.cell(at.x, at.y, at.level)];
+        if (there.hasPortals || there.mover >= 0) return;
+        const BlueprintId id = addInstance(world, slider.shape);
+        CellBlueprint& part = world.blueprints[id];
+        const auto within = [&](Coordinate edge) {
+            return std::clamp(edge - tileEdge(i), Coordinate{0}, tileEdge(1));
+        };
+        const bool alongX = slider.axis == Axis::x;
+        (alongX ? part.plan.west : part.plan.north) = within(slider.low);
+        (alongX ? part.plan.east : part.plan.south) = within(slider.high);
+        (alongX ? part.textureEast : part.textureSouth) = slider.offset;
+        part.mover = slider.mover;
+        part.motion = slider.motion;
+        part.join = true;
+        map.setCell(at.x, at.y, at.level, id);
+        const bool isEmpty = within(slider.high) <= within(slider.low);
+        if (isEmpty) map.occupied[map.tileIndex(at.x, at.y)] &= ~(1u << at.level);
+    }
+}
+
+}  // namespace
+
+void addSliders(Random& random, World& world, bool coarse) {
+    const int shapes = static_cast<int>(world.blueprints.size());
+    const int motions = static_cast<int>(world.motions.size());
+    for (const Axis axis : {Axis::x, Axis::y}) {
+        world.motions.emplace_back();
+        world.motions.back().axis = axis;
+    }
+    for (Map& map : world.maps) {
+        for (int i = random.between(1, 5); i > 0; --i) {
+            Slider slider;
+            slider.axis = random.oneIn(2) ? Axis::x : Axis::y;
+            slider.from = anyCell(random, map);
+            slider.shape = static_cast<BlueprintId>(random.between(1, shapes - 1));
+            const CellBlueprint& shape = world.blueprints[slider.shape];
+            if (shape.hasPortals || shape.mover >= 0 || shape.isWater ||
+                shape.plan.half != Half::none)
+                continue;
+            slider.mover = 5000 + static_cast<int>(world.blueprints.size());
+            slider.motion = motions + static_cast<int>(slider.axis);
+            const int fraction = coarse ? random.below(8) * 8192 : random.below(65536);
+            const int levels = random.between(1, std::min(2, map.levels - slider.from.level));
+            slider.offset = {random.oneIn(4) ? 0 : fraction};
+            for (int level = 0; level < levels; ++level, ++slider.from.level) {
+                slider.cells = random.between(1, 4);
+                const int length = random.oneIn(4) ? random.between(4096, 65536)
+                                                   : 65536 * std::max(1, slider.cells - 1);
+                slider.low = {fraction};
+                slider.high = {fraction + length};
+                placeSlider(world, map, slider);
+            }
+        }
+    }
+    markPlans(world);
+}
+
 }  // namespace slicecast::judge

@@ -537,6 +537,8 @@ Scene randomScene(std::uint64_t seed, int width, int height) {
     Random more(seed ^ 0x6d6f7265u);
     addKin(more, scene.world);
     changeMovers(more, scene.world);
+    Random sliders(seed ^ 0x736c6964u);
+    if (sliders.oneIn(4)) addSliders(sliders, scene.world, sliders.oneIn(2));
     Random slopes(seed ^ 0x736c6f70u);
     Random lamps(seed ^ 0x6c616d70u);
     const bool isLit = lamps.oneIn(4);
@@ -570,6 +572,8 @@ Scene tieScene(std::uint64_t seed, int width, int height) {
     Random more(seed ^ 0x6d6f7265u);
     addKin(more, scene.world);
     changeMovers(more, scene.world);
+    Random sliders(seed ^ 0x736c6964u);
+    if (sliders.oneIn(3)) addSliders(sliders, scene.world, true);
     Random slopes(seed ^ 0x736c6f70u);
     if (!slopes.oneIn(3)) incline(slopes, scene.world, true);
     Random lamps(seed ^ 0x6c616d70u);

@@ -53,8 +53,10 @@ struct Sight {
     double along = 0.0;   // t / d as it was found, so that equal depths come out equal
     double u = 0.0;  // fractions of the texture, 0 to 1; negative ones count from the other end
     double v = 0.0;
-    LitFace litFace;          // of a block, the floor in the grid or the ceiling
-    Coordinate rise;          // of the texture on a side of what moves
+    LitFace litFace;    // of a block, the floor in the grid or the ceiling
+    Coordinate rise;    // of the texture on a side of what moves
+    Coordinate slideU;  // how far textures have gone along a face's axes
+    Coordinate slideV;
     int object = -1;          // index into Map::objects
     Colour colour;            // sky, haze: what they show
     bool seeThrough = false;  // what lies behind may show, depending on the texel's alpha
@@ -121,6 +123,8 @@ enum class Note : std::uint8_t {
     slopeFromInside,
     slopeAboveHorizon,  // a sloped roof met by a rising ray
     slopeBelowHorizon,  // a sloped underside met by a falling one
+    slidSide,           // on a side of what moves along it
+    slidPlane,          // on a roof or an underside of what moves along x or y
     count
 };
 using Notes = std::bitset<static_cast<std::size_t>(Note::count)>;

@@ -177,8 +177,9 @@ Colour Tracer::litTexel(const Sight& sight, Colour texel, int column, int row, i
         l = light.lightOutside();
     } else {
         const auto middle = [&](int i) { return (2 * i + 1) * 32768 / size; };
-        const int a = middle(std::signbit(sight.u) ? size - 1 - column : column);
-        int b = middle(std::signbit(sight.v) ? size - 1 - row : row);
+        const int a =
+            (middle(std::signbit(sight.u) ? size - 1 - column : column) + sight.slideU.raw) & 65535;
+        int b = (middle(std::signbit(sight.v) ? size - 1 - row : row) + sight.slideV.raw) & 65535;
         if (sight.kind == Sight::Kind::side)
             b = std::min(65535, 65536 - ((middle(row) - sight.rise.raw) & 65535));
         l = light.lightAt(sight.litFace, a, b);
@@ -245,7 +246,9 @@ const char* nameOf(Note note) {
                                          "sloped underside",
                                          "slope from inside",
                                          "sloped roof above the horizon",
-                                         "sloped underside below the horizon"};
+                                         "sloped underside below the horizon",
+                                         "slid side",
+                                         "slid plane"};
     static_assert(std::size(kNames) == static_cast<std::size_t>(Note::count));
     return kNames[static_cast<std::size_t>(note)];
 }

@@ -43,6 +43,12 @@ void Tracer::Walk::pushFace(const CellBlueprint& block, int level, Face which,
     const double snap = isSloped ? 1.0 / 17179869184.0 : 0.0;  // 2^-34
     const double x = within(point.x + (place_.x - mapTile_.x) + snap, plan.west, plan.east);
     const double y = within(point.y + (place_.y - mapTile_.y) + snap, plan.north, plan.south);
+    // What moves along x or y carries its textures along; where they end they begin anew.
+    const auto slid = [](double at, Coordinate by) {
+        return at - by.value() + (at < by.value() ? 1.0 : 0.0);
+    };
+    const double textureX = slid(x, block.textureEast);
+    const double textureY = slid(y, block.textureSouth);
     const double z = std::clamp(eyeZ_ + meeting.at(up_) + (place_.levels - level),
                                 block.bottom.value(), block.top.value());
     Sight sight;
@@ -58,38 +64,46 @@ void Tracer::Walk::pushFace(const CellBlueprint& block, int level, Face which,
     sight.depth = sight.along * tracer_.distance_;
     switch (which) {
         case Face::south:
-            sight.u = x;
+            sight.u = textureX;
             break;
         case Face::north:
-            sight.u = -x;
+            sight.u = -textureX;
             break;
         case Face::west:
-            sight.u = y;
+            sight.u = textureY;
             break;
         case Face::east:
-            sight.u = -y;
+            sight.u = -textureY;
             break;
         default:
-            sight.u = x;
+            sight.u = textureX;
             break;
     }
     if (which == Face::top) {
         sight.kind = Sight::Kind::roof;
-        sight.v = y;
+        sight.v = textureY;
         if (!fromInside)
             sight.mirror = std::min(
                 255, static_cast<int>(std::floor(look.mirror * tracer_.view_.mirrors + 0.5)));
         if (sight.mirror > 0) sight.seeThrough = false;
     } else if (which == Face::bottom) {
         sight.kind = Sight::Kind::underside;
-        sight.v = -y;
+        sight.v = -textureY;
     } else {
         sight.kind = Sight::Kind::side;
         // What moves carries its textures along; where they end they begin anew.
         const double rise = block.textureRise.value();
         sight.v = 1.0 - z + rise;
+        sight.slideU =
+            which == Face::north || which == Face::south ? block.textureEast : block.textureSouth;
         if (rise > 0.0) note(Note::risenTexture);
+        if (sight.slideU.raw != 0) note(Note::slidSide);
         if (rise > 0.0 && sight.v >= 1.0) sight.v -= 1.0;
+    }
+    if (sight.kind != Sight::Kind::side) {
+        sight.slideU = block.textureEast;
+        sight.slideV = block.textureSouth;
+        if ((sight.slideU.raw | sight.slideV.raw) != 0) note(Note::slidPlane);
     }
     push(sight);
 }

@@ -39,7 +39,9 @@ void expectSound(const World& world) {
         for (std::size_t cell = 0; cell < map.cells.size(); ++cell) {
             const CellBlueprint& block = world.blueprints[map.cells[cell]];
             const bool isBlock = (map.occupied[cell / map.levels] >> (cell % map.levels) & 1u) != 0;
-            EXPECT_EQ(isBlock, map.cells[cell] != kEmptyCell && block.bottom < block.top);
+            EXPECT_EQ(isBlock, map.cells[cell] != kEmptyCell && block.bottom < block.top &&
+                                   block.plan.west < block.plan.east &&
+                                   block.plan.north < block.plan.south);
         }
         for (const TextureId id : map.floor.tiles) EXPECT_LT(id, textures);
         for (const TextureId id : map.ceiling.tiles) EXPECT_TRUE(id < textures || id == kNoTexture);

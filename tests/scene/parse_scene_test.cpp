@@ -63,10 +63,9 @@ TEST(ParseScene, ReadsEveryKey) {
             EXPECT_EQ(toColour(texel), (Colour{0xc0, 0x30, 0x20, 255}));
 
     // Their materials, by key, by name, or stone. Another material makes another texture.
-    const std::vector<Material> materials = {Material::stone, Material::stone, Material::stone,
-                                             Material::wood,  Material::stone, Material::metal,
-                                             Material::grass, Material::stone, Material::wood,
-                                             Material::wood};
+    const std::vector<Material> materials = {
+        Material::stone, Material::stone, Material::stone, Material::wood, Material::stone,
+        Material::metal, Material::grass, Material::stone, Material::wood, Material::wood};
     for (std::size_t i = 0; i < materials.size(); ++i)
         EXPECT_EQ(world.textures[i].material, materials[i]) << world.textures[i].name;
 
@@ -104,7 +103,7 @@ TEST(ParseScene, ReadsEveryKey) {
         EXPECT_EQ(world.blueprints[slab].faces[face].light, lights[face]) << kFaceNames[face];
     }
 
-    ASSERT_EQ(world.maps.size(), 5u);
+    ASSERT_EQ(world.maps.size(), 6u);
     const Map& hall = world.maps[0];
     EXPECT_EQ(hall.name, "hall");
     EXPECT_EQ(hall.width, 5);
@@ -349,7 +348,7 @@ TEST(ParseScene, ReadsMotionsAndGates) {
     const LoadedScene loaded = loadFrom(sceneTestFolder() / "everything.json");
     ASSERT_TRUE(loaded.world.has_value());
     const World& world = *loaded.world;
-    ASSERT_EQ(world.motions.size(), 3u);
+    ASSERT_EQ(world.motions.size(), 5u);
     const Motion& lift = world.motions[0];
     EXPECT_EQ(lift.name, "slow lift");
     EXPECT_EQ(lift.edges, MovingEdges::both);
@@ -358,16 +357,25 @@ TEST(ParseScene, ReadsMotionsAndGates) {
     EXPECT_EQ(lift.periodSteps, 12 * 120);
     EXPECT_EQ(lift.phaseSteps, 3 * 120);
     EXPECT_EQ(lift.shape, MotionShape::stopAndGo);
-    EXPECT_EQ(world.motions[1].edges, MovingEdges::top);
+    EXPECT_EQ(world.motions[1].edges, MovingEdges::high);
     EXPECT_EQ(world.motions[1].from, Coordinate{});
     EXPECT_EQ(world.motions[1].phaseSteps, 0);
     EXPECT_EQ(world.motions[1].shape, MotionShape::smooth);
-    EXPECT_EQ(world.motions[2].edges, MovingEdges::bottom);
+    EXPECT_EQ(world.motions[2].edges, MovingEdges::low);
     EXPECT_EQ(world.motions[2].from, toCoordinate(0.5));
     EXPECT_EQ(world.motions[2].shape, MotionShape::even);
+    for (std::size_t i = 0; i < 3; ++i) {
+        EXPECT_EQ(world.motions[i].axis, Axis::z);
+        EXPECT_FALSE(world.motions[i].once);
+    }
+    EXPECT_EQ(world.motions[3].axis, Axis::y);
+    EXPECT_EQ(world.motions[3].edges, MovingEdges::low);
+    EXPECT_TRUE(world.motions[3].once);
+    EXPECT_EQ(world.motions[4].axis, Axis::x);
+    EXPECT_EQ(world.motions[4].periodSteps, 0);
 
     const int works = 2;
-    ASSERT_EQ(world.movers.size(), 3u);
+    ASSERT_EQ(world.movers.size(), 6u);
     for (std::size_t i = 0; i < 3; ++i) EXPECT_EQ(world.movers[i].map, works);
     const auto motionAt = [&](int x, int y) {
         return world.blueprints[world.maps[works].cells[world.maps[works].cellIndex(x, y, 0)]]
@@ -380,7 +388,7 @@ TEST(ParseScene, ReadsMotionsAndGates) {
     EXPECT_EQ(world.blueprints[world.maps[works].cell(0, 0, 1)].top,
               toCoordinate(0.625));  // half way up
 
-    ASSERT_EQ(world.gateKinds.size(), 2u);
+    ASSERT_EQ(world.gateKinds.size(), 4u);
     const GateKind& gate = world.gateKinds[0];
     EXPECT_EQ(gate.steps, 180);
     EXPECT_EQ(gate.reach, toCoordinate(2.5));
@@ -396,7 +404,23 @@ TEST(ParseScene, ReadsMotionsAndGates) {
     EXPECT_FALSE(door.opensOnApproach);
     EXPECT_EQ(door.holdSteps, 120);
     EXPECT_FALSE(door.startsOpen);
-    ASSERT_EQ(world.gates.size(), 4u);
+    const GateKind& slider = world.gateKinds[2];
+    EXPECT_EQ(slider.steps, 240);
+    EXPECT_FALSE(slider.keyed);
+    EXPECT_EQ(slider.everySteps, 2400);
+    EXPECT_EQ(slider.holdSteps, 360);
+    EXPECT_TRUE(slider.once);
+    EXPECT_EQ(slider.follows, (std::vector<int>{1, 0}));
+    EXPECT_TRUE(world.gateKinds[3].keyed);
+    EXPECT_EQ(world.gateKinds[3].follows, std::vector<int>{2});
+    ASSERT_EQ(world.gates.size(), 6u);
+    for (std::size_t i = 3; i < 6; ++i) {
+        const Mover& mover = world.movers[i];
+        EXPECT_EQ(mover.map, 5);
+        EXPECT_EQ(mover.gate < 0, i == 3);
+        if (mover.gate < 0) continue;
+        EXPECT_EQ(world.gates[static_cast<std::size_t>(mover.gate)].mover, static_cast<int>(i));
+    }
     const CellBlueprint& open = world.blueprints[world.maps[works].cell(1, 1, 0)];
     const CellBlueprint& shut = world.blueprints[world.maps[works].cell(2, 1, 0)];
     EXPECT_TRUE(open.passable);

@@ -33,6 +33,26 @@ TEST(Warnings, HavePlacesAndFollowTheText) {
     EXPECT_EQ(loaded.warnings[1].found, "a start from which the player can walk to no other tile");
 }
 
+TEST(Warnings, NameGatesThatFollowNothing) {
+    std::string text = smallScene(R"([["#####", "#..d#", "#...#", "#####"]])", "");
+    const auto replace = [&text](const std::string& what, const std::string& by) {
+        text.replace(text.find(what), what.size(), by);
+    };
+    replace("\"legend\": { \"#\": \"wall\" }",
+            R"("motions": { "up": { "moves": "bottom", "to": 1 } },
+               "legend": { "#": "wall", "d": "door", "b": "bell" })");
+    replace("\"wall\": { \"faces\": \"brick\" }",
+            R"("wall": { "faces": "brick" },
+               "bell": { "faces": "brick", "motion": "up", "gate": {} },
+               "door": { "faces": "brick", "motion": "up", "gate": { "follows": "bell" } })");
+    const std::vector<Fault> warnings = loadSound(text).warnings;
+    ASSERT_EQ(warnings.size(), 1u);
+    EXPECT_EQ(warnings[0].pointer, "/blueprints/door/gate/follows");
+    EXPECT_EQ(warnings[0].found, "the gate \"bell\", which stands in no map");
+    replace("#...#", "#..b#");
+    EXPECT_TRUE(loadSound(text).warnings.empty());
+}
+
 TEST(Warnings, AreNotGivenBesideFaults) {
     const std::string text = readText(sceneTestFolder() / "warnings.json");
     const std::size_t at = text.find("\"floor\": \"tile\"");

@@ -72,6 +72,15 @@ TEST(OldWays, TheClassicMethodListsWhatItCannotDraw) {
     EXPECT_EQ(leftOut(world, options).size(), 1u);
     options.classic.flippedMirrors = true;
     EXPECT_EQ(leftOut(world, options).size(), 2u) << "mirrors above the floor";
+    world.blueprints[1].plan.west = {4096};
+    markPlans(world);
+    EXPECT_EQ(leftOut(world, options).size(), 3u) << "a part of a tile";
+    world.blueprints[1].slopes.top.from = {};
+    EXPECT_EQ(leftOut(world, options).size(), 4u) << "slopes";
+    world.maps.emplace_back().baked.on = true;
+    EXPECT_EQ(leftOut(world, options).size(), 5u) << "baked light";
+    options.render.baked = false;
+    EXPECT_EQ(leftOut(world, options).size(), 4u);
 }
 
 }  // namespace

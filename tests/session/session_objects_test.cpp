@@ -21,7 +21,7 @@ World livelyYards() {
     make.world.sprites.push_back(makeSprite("walker", grey));
     make.block('=', {.top = 0.5}).motion = 0;
     make.world.motions.push_back({.name = "lift",
-                                  .edges = MovingEdges::top,
+                                  .edges = MovingEdges::high,
                                   .from = {},
                                   .to = toCoordinate(0.5),
                                   .periodSteps = 480});

@@ -126,16 +126,16 @@ TEST(Motion, IsRoundedOnceInEveryShape) {
 }
 
 TEST(Movers, AreAtTheirMotionsPlaceOnAllLevels) {
-    for (const MovingEdges edges : {MovingEdges::both, MovingEdges::top, MovingEdges::bottom}) {
+    for (const MovingEdges edges : {MovingEdges::both, MovingEdges::high, MovingEdges::low}) {
         Motion motion = lift();
         motion.edges = edges;
-        if (edges == MovingEdges::bottom) motion.to = 0.75_u;  // past its top: gone for a while
-        if (edges == MovingEdges::top) motion.from = toCoordinate(-0.6);
+        if (edges == MovingEdges::low) motion.to = 0.75_u;  // past its top: gone for a while
+        if (edges == MovingEdges::high) motion.from = toCoordinate(-0.6);
         World world = platform(motion);
         for (int step = 0; step <= 2 * kPeriod; ++step) {
             const Coordinate offset = offsetAt(motion, step);
-            const Coordinate low = edges == MovingEdges::top ? Coordinate{0} : offset;
-            const Coordinate high = edges == MovingEdges::bottom ? 0.5_u : 0.5_u + offset;
+            const Coordinate low = edges == MovingEdges::high ? Coordinate{0} : offset;
+            const Coordinate high = edges == MovingEdges::low ? 0.5_u : 0.5_u + offset;
             const auto [seenLow, seenHigh] = extentAt(world, 2, 2);
             if (low < high) {
                 ASSERT_EQ(seenLow, low) << step;
@@ -246,7 +246,7 @@ TEST(Movers, AreRefusedIfTheyCannotMove) {
               "bottom of 0 and a top of 1 where moving blocks are stacked");
     World never = emptyWorld(5, 5, 5);
     Motion hidden = lift();
-    hidden.edges = MovingEdges::top;
+    hidden.edges = MovingEdges::high;
     hidden.from = toCoordinate(-1.0);
     hidden.to = toCoordinate(-0.5);
     never.maps[0].setCell(2, 3, 0, addMoving(never, {}, 0.5_u, hidden));
@@ -273,7 +273,7 @@ TEST(Movers, AreLimitedByTheirBlueprints) {
 TEST(Riders, FollowTheirMoverExactly) {
     for (const MotionShape shape :
          {MotionShape::smooth, MotionShape::even, MotionShape::stopAndGo}) {
-        for (const MovingEdges edges : {MovingEdges::both, MovingEdges::top}) {
+        for (const MovingEdges edges : {MovingEdges::both, MovingEdges::high}) {
             Motion motion = lift(shape);
             motion.edges = edges;
             Walker rider(platform(motion), 2.5, 2.5, 0.5);
@@ -346,7 +346,7 @@ TEST(Riders, StayOnTheGroundBesideAPartOfATile) {
     Plan strip;
     strip.south = 0.5_u;
     Motion motion = lift();
-    motion.edges = MovingEdges::top;
+    motion.edges = MovingEdges::high;
     motion.from = toCoordinate(-0.5);
     for (const Plan& plan : {half, strip}) {
         World world = emptyWorld(5, 5, 4);
@@ -360,7 +360,7 @@ TEST(Riders, StayOnTheGroundBesideAPartOfATile) {
         const auto liftOfAStep = [](Walker& walker) {
             Body body = bodyOf(travellerOf(walker.player), true);
             stepWorld(walker.world, {&body, 1}, {});
-            return body.lift;
+            return body.shift.z;
         };
         EXPECT_EQ(liftOfAStep(beside), Coordinate{});
         EXPECT_GT(liftOfAStep(rider), Coordinate{});
@@ -416,7 +416,7 @@ TEST(Movers, WaitForBodiesBelow) {
 TEST(Movers, WaitForBodiesBesideAGrowingBlock) {
     // Grows out of a wall's side at the height of the hips: from nothing at 0.5 to 0.9.
     Motion grow = lift();
-    grow.edges = MovingEdges::top;
+    grow.edges = MovingEdges::high;
     grow.from = toCoordinate(-0.125);
     grow.to = 0.25_u;
     World world = platform(grow, 0.5_u, 0.5_u + 0.125_u);

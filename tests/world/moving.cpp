@@ -24,10 +24,16 @@ BlueprintId addGate(World& world, const GateKind& kind) {
     return static_cast<BlueprintId>(world.blueprints.size() - 1);
 }
 
+void shift(Player& player, const Body& body) {
+    player.x = player.x + body.shift.x;
+    player.y = player.y + body.shift.y;
+    player.z = player.z + body.shift.z;
+}
+
 void stepBoth(World& world, Player& player, const PlayerInput& input, const GateAsk& ask) {
     Body body = bodyOf(travellerOf(player), player.onGround);
     stepWorld(world, {&body, 1}, ask);
-    player.z = player.z + body.lift;
+    shift(player, body);
     stepPlayer(world, player, input);
 }
 
@@ -46,7 +52,8 @@ bool reachesIntoSolid(const World& world, int mapIndex, const Box& box) {
                 const CellBlueprint& block =
                     world.blueprints[map.cells[map.cellIndex(x, y, level)]];
                 if (map.cells[map.cellIndex(x, y, level)] == kEmptyCell || block.passable ||
-                    block.top <= block.bottom)
+                    block.top <= block.bottom || block.plan.east <= block.plan.west ||
+                    block.plan.south <= block.plan.north)
                     continue;
                 if (!isOverPart(block.plan, x, y, box)) continue;
                 if (box.bottom < tileEdge(level) + block.top &&

@@ -15,6 +15,9 @@ BlueprintId addMoving(World& world, Coordinate bottom, Coordinate top, const Mot
 // A blueprint of a gate with a block's full height; put its cells with setCell, then makeGates.
 BlueprintId addGate(World& world, const GateKind& kind);
 
+// Moves the player as far as a step of the world has moved the body.
+void shift(Player& player, const Body& body);
+
 // A step of the world, then of the player.
 void stepBoth(World& world, Player& player, const PlayerInput& input = {}, const GateAsk& ask = {});
 

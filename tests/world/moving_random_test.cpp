@@ -25,8 +25,8 @@ Motion randomMotion(Random& random, Coordinate bottom, Coordinate top, int level
     const double low = level + bottom.value();
     const double high = level + top.value();
     // Somewhat less than all the room that there is, and now and then through nothing
-    const double least = motion.edges == MovingEdges::top ? -1.2 * (high - low) : -low;
-    const double most = motion.edges == MovingEdges::bottom ? 1.2 * (high - low) : levels - high;
+    const double least = motion.edges == MovingEdges::high ? -1.2 * (high - low) : -low;
+    const double most = motion.edges == MovingEdges::low ? 1.2 * (high - low) : levels - high;
     motion.from = toCoordinate(random.between(0.0, 1.0) * least);
     motion.to = toCoordinate(random.between(0.0, 1.0) * most);
     if (random.oneIn(2)) std::swap(motion.from, motion.to);
@@ -79,6 +79,46 @@ void putPortals(World& world, Random& random) {
     }
 }
 
+// Lets a thing at these cells of one level move along x or y instead, where it has room; clears its
+// way. Its motion becomes a gate's now and then.
+void turnSideways(World& world, Random& random, BlueprintId id, const Box& cells, int level) {
+    Map& map = world.maps[0];
+    CellBlueprint& block = world.blueprints[id];
+    Motion& motion = world.motions[static_cast<std::size_t>(block.motion)];
+    motion.axis = random.oneIn(2) ? Axis::x : Axis::y;
+    const bool alongX = motion.axis == Axis::x;
+    const Coordinate low = alongX ? cells.west : cells.north;
+    const Coordinate high = alongX ? cells.east : cells.south;
+    const Coordinate end = tileEdge(alongX ? map.width : map.depth);
+    const double least = -std::min(3.0, low.value());
+    const double most = std::min(3.0, (end - high).value());
+    motion.edges = random.oneIn(3) ? static_cast<MovingEdges>(random.below(2)) : MovingEdges::both;
+    motion.from = toCoordinate(random.between(0.0, 1.0) * least);
+    motion.to = toCoordinate(random.between(0.0, 1.0) * most);
+    if (random.oneIn(2)) std::swap(motion.from, motion.to);
+    const double distance = std::abs((motion.to - motion.from).value());
+    const double speed = random.between(0.3, kFastestMotion);
+    motion.periodSteps =
+        static_cast<int>(fastestSpeed(motion.shape, distance, 1.0) / speed * kSecond) + 2;
+    motion.phaseSteps = random.below(motion.periodSteps);
+    if (random.oneIn(3)) {
+        GateKind kind = randomKind(random);
+        kind.steps = motion.periodSteps;
+        kind.everySteps = random.oneIn(3) ? random.between(1, 400) : 0;
+        kind.once = random.oneIn(6);
+        block.gate = static_cast<int>(world.gateKinds.size());
+        world.gateKinds.push_back(kind);
+    }
+    for (int y = 0; y < map.depth; ++y) {
+        for (int x = 0; x < map.width; ++x) {
+            const bool isAside = alongX ? y < cells.north.tile() || y >= cells.south.tile()
+                                        : x < cells.west.tile() || x >= cells.east.tile();
+            if (!isAside && world.blueprints[map.cell(x, y, level)].motion < 0)
+                map.setCell(x, y, level, kEmptyCell);
+        }
+    }
+}
+
 // A random world with columns of its own for movers and gates.
 World randomMovingWorld(std::uint64_t seed, bool hasPortals = false) {
     World world = randomWorld(seed);
@@ -106,6 +146,18 @@ World randomMovingWorld(std::uint64_t seed, bool hasPortals = false) {
         }
         const int x0 = random.below(map.width);
         const int y0 = random.below(map.depth);
+        Random sideways(seed * 8 + static_cast<std::uint64_t>(thing));
+        if (!isGate && stacked == 1 && sideways.oneIn(2)) {
+            const Box cells = {
+                tileEdge(x0), tileEdge(std::min(map.width, x0 + sideways.between(1, 3))),
+                tileEdge(y0), tileEdge(std::min(map.depth, y0 + sideways.between(1, 2))),
+                {},           {}};
+            turnSideways(world, sideways, id, cells, level);
+            for (int y = y0; y < cells.south.tile(); ++y) {
+                for (int x = x0; x < cells.east.tile(); ++x) map.setCell(x, y, level, id);
+            }
+            continue;
+        }
         for (int y = y0; y < std::min(map.depth, y0 + random.between(1, 3)); ++y) {
             for (int x = x0; x < std::min(map.width, x0 + random.between(1, 3)); ++x) {
                 for (int other = 0; other < map.levels; ++other) {
@@ -146,6 +198,8 @@ TEST(RandomMovingWorlds, NobodyIsEverInsideABlock) {
     std::int64_t lifted = 0;
     std::int64_t lowered = 0;
     std::int64_t rodeThere = 0;
+    std::int64_t shifted = 0;
+    std::int64_t rodeSideways = 0;
     std::int64_t waits = 0;
     std::int64_t gatesMoved = 0;
     std::int64_t inOpenGate = 0;
@@ -168,22 +222,25 @@ TEST(RandomMovingWorlds, NobodyIsEverInsideABlock) {
 
                 Body body = {.map = 0, .box = bodyBox(player), .rides = player.onGround};
                 stepWorld(world, {&body, 1}, ask);
-                player.z = player.z + body.lift;
+                shift(player, body);
                 ASSERT_EQ(bodyBox(player), body.box);
                 ASSERT_FALSE(reachesIntoSomething(world, bodyBox(player)) &&
                              !isFree(world, 0, bodyBox(player)))
                     << "world " << seed << ", player " << i << ", step " << step << " of the world";
                 ASSERT_FALSE(reachesIntoSolid(world, 0, bodyBox(player)))
                     << "world " << seed << ", player " << i << ", step " << step << " of the world";
-                const bool rode = body.lift != Coordinate{0};
+                const bool rode = body.shift.z != Coordinate{0};
                 rodeThere += rode && player.onGround && isSupported(world, 0, bodyBox(player));
                 stepPlayer(world, player, input);
                 ASSERT_FALSE(isInside(world, player))
                     << "world " << seed << ", player " << i << ", step " << step;
 
                 ++steps;
-                lifted += body.lift > Coordinate{0};
-                lowered += body.lift < Coordinate{0};
+                lifted += body.shift.z > Coordinate{0};
+                lowered += body.shift.z < Coordinate{0};
+                const bool isShifted = (body.shift.x.raw | body.shift.y.raw) != 0;
+                shifted += isShifted;
+                rodeSideways += isShifted && player.onGround;
                 std::size_t k = 0;
                 for (const Mover& mover : world.movers) waits += mover.clock == clocks[k++];
                 for (const Gate& gate : world.gates) {
@@ -202,6 +259,7 @@ TEST(RandomMovingWorlds, NobodyIsEverInsideABlock) {
               std::int64_t{kMovingWorlds} * kPlayersPerMovingWorld * kStepsAmongMovers * 8 / 10);
     for (const std::int64_t kind : {lifted, lowered, rodeThere, waits, gatesMoved, inOpenGate})
         EXPECT_GT(kind, steps / 400);
+    for (const std::int64_t kind : {shifted, rodeSideways}) EXPECT_GT(kind, steps / 1000);
     EXPECT_GT(gatesHeld, steps / 4000);
 }
 
@@ -229,7 +287,7 @@ TEST(RandomMovingWorlds, NobodyIsEverInsideABlockAmongPortals) {
                 for (const Mover& mover : world.movers) moving -= mover.clock;
                 Body body = bodyOf(travellerOf(player), player.onGround);
                 stepWorld(world, {&body, 1}, ask);
-                player.z = player.z + body.lift;
+                shift(player, body);
                 ASSERT_TRUE(isFree(world, travellerOf(player)))
                     << "world " << seed << ", player " << i << ", step " << step << " of the world";
                 for (const Mover& mover : world.movers) moving += mover.clock;
@@ -238,7 +296,7 @@ TEST(RandomMovingWorlds, NobodyIsEverInsideABlockAmongPortals) {
                 ASSERT_TRUE(isFree(world, travellerOf(player)))
                     << "world " << seed << ", player " << i << ", step " << step;
                 ++steps;
-                lifted += body.lift != Coordinate{0};
+                lifted += body.shift.z != Coordinate{0};
                 waits += moving == 0 && !world.movers.empty();
                 leaps += player.leaps - leapsBefore;
                 straddling += body.straddles;
@@ -278,7 +336,7 @@ std::uint64_t hashAmongMovers() {
 
 TEST(RandomMovingWorlds, GoTheSameWayEverywhere) {
     EXPECT_EQ(hashAmongMovers(), hashAmongMovers());
-    EXPECT_EQ(hashAmongMovers(), 0x9923f55049526d92u);
+    EXPECT_EQ(hashAmongMovers(), 0xa1c53c9ec73b5d6fu);
 }
 
 }  // namespace

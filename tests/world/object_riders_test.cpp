@@ -28,7 +28,7 @@ World livelyWorld(std::uint64_t seed) {
         Motion motion;
         motion.edges = static_cast<MovingEdges>(random.below(3));
         motion.to = toCoordinate(
-            motion.edges == MovingEdges::bottom ? 0.4 : random.between(0.3, map.levels - 0.5));
+            motion.edges == MovingEdges::low ? 0.4 : random.between(0.3, map.levels - 0.5));
         motion.periodSteps = random.between(2, 8) * kSecond * map.levels;
         motion.shape = static_cast<MotionShape>(random.below(3));
         const BlueprintId id = addMoving(world, {}, 0.5_u, motion);
@@ -72,7 +72,7 @@ struct Crowd {
         addBodies(world, bodies);
         stepWorld(world, bodies, {});
         liftObjects(world, bodies);
-        for (const Body& body : bodies) lifted += body.lift.raw != 0;
+        for (const Body& body : bodies) lifted += body.shift.z.raw != 0;
         stepObjects(world);
     }
     bool isInside(std::size_t i) const {
