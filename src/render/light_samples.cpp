@@ -30,6 +30,7 @@ double cosine(const Outlook& outlook, const LightVector& way) {
     return product / (std::sqrt(square) * std::sqrt(squareOf(way)));
 }
 
+// #region sun
 void addSun(LightScene& scene, const LightVector& at, const Outlook& outlook, LightColour& light) {
     const Colour sun = scene.light().sun;
     if ((sun.r | sun.g | sun.b) == 0) return;
@@ -40,6 +41,7 @@ void addSun(LightScene& scene, const LightVector& at, const Outlook& outlook, Li
     const std::array channels = {sun.r, sun.g, sun.b};
     for (std::size_t i = 0; i < 3; ++i) light[i] += (channels[i] * n * t[i] + 32640) / 65280;
 }
+// #endregion
 
 void addSky(LightScene& scene, const LightVector& at, const Outlook& outlook, int turns,
             LightColour& light) {
@@ -224,6 +226,7 @@ FaceNodes LightSamples::nodesOf(LightScene& scene, const LitFaceAt& face, const 
             const std::array<Quarter, 4> round = {quarter(column, row), quarter(column + 1, row),
                                                   quarter(column + 1, row + 1),
                                                   quarter(column, row + 1)};
+            // #region links
             std::array<int, 4> group = {0, 1, 2, 3};  // quarters of one number are linked
             for (std::size_t i = 0; i < 4; ++i) {
                 const std::size_t next = (i + 1) % 4;
@@ -236,6 +239,7 @@ FaceNodes LightSamples::nodesOf(LightScene& scene, const LitFaceAt& face, const 
                 const int old = group[next];
                 for (int& number : group) number = number == old ? group[i] : number;
             }
+            // #endregion
             // The face's own quarters of them, and which node this is of their squares
             for (int i = 0; i < 4; ++i) {
                 const int highA = i == 1 || i == 2 ? 1 : 0;

@@ -43,8 +43,10 @@ void SlicePainter::paintSlope(const Span& span, Lay lay) {
         const int rows = std::min(span.last - first, kRowsAtOnce);
         for (int row = 0; row < rows; ++row) {
             const auto i = static_cast<std::size_t>(row);
+            // #region depth-of-row
             const double inverse = 1.0 / std::fabs(span.slope.horizon - (first + row + 0.5));
             const double depth = depthPerInverse * inverse;
+            // #endregion
             table.inverseOffsets[i] = inverse;
             table.factors[i] = inBothHalves(lighting.factorAt(depth, plane.light, plane.glow));
             std::uint32_t fog = lighting.fogAt(depth);

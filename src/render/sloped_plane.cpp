@@ -8,10 +8,12 @@ namespace slicecast {
 SlopedPlane::SlopedPlane(const Slopes& slopes, const Slant& slant, int x, int y, std::int32_t base,
                          const Viewpoint& eye, GroundDirection ray, const Projection& projection)
     : rise(Coordinate{slant.rise()}.value()), alongX(slopes.alongX) {
+    // #region own-horizon
     const std::int64_t from = alongX ? eye.x - tileEdge(x).raw : eye.y - tileEdge(y).raw;
     const std::int64_t above = slant.heightAt(from) + std::int64_t{base} * 65536;
     height = static_cast<double>(above) / 4294967296.0;
     horizon = projection.horizon - rise * (alongX ? ray.x : ray.y);
+    // #endregion
     // East and south in the eye's own map lead there, after the turns of portals
     isMajor = (eye.turn % 2 == 0) == alongX;
     const bool isAgainst = alongX ? eye.turn == 1 || eye.turn == 2 : eye.turn >= 2;

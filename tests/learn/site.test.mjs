@@ -37,6 +37,7 @@ function site(chapters = new Map([['one-ray', kChapter]])) {
         ((key, value) => {
           if (name === 'setLibrary') given.parser = value;
           if (name === 'addCollection') given.chapters = value;
+          if (key === 'panel') given.panel = value;
         }),
     },
   );
@@ -95,6 +96,13 @@ test('blocks are known, and end', () => {
   refused('::: figur pane\n:::', 'found ::: figur, expected figure, wrong, exercise');
   refused('::: figure pane\nA caption.', '::: figure pane has no end; expected a line ":::"');
   refused('$$\nx = 1', 'a formula that begins with $$ has no end');
+});
+
+test('a chapter has a panel unless its front matter says that it has none', async () => {
+  const { panel } = site();
+  const write = { scene: 'yard-1.json', view: '4.5,6.2,0.5,290' };
+  assert.match(await panel({ chapter: { number: 1 }, write }), /^<section class="write"/);
+  assert.equal(await panel({ chapter: { number: 23 }, write: false }), '');
 });
 
 test('two places of a page do not have one name', () => {

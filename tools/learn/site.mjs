@@ -46,8 +46,9 @@ export function configure(config, { chapters, program, formulas }) {
     return pages.sort((left, right) => chapterOf(left.data).number - chapterOf(right.data).number);
   });
 
-  // The panel of the reader's raycaster, below a chapter.
+  // The panel of the reader's raycaster, below a chapter; none if its `write` is false.
   config.addAsyncFilter('panel', async ({ chapter, write }) => {
+    if (write === false) return '';
     const options = Object.entries(write.options ?? {}).map(([name, value]) => `${name}=${value}`);
     return panelHtml({
       chapter: chapter.number,

