@@ -113,6 +113,13 @@ test('a formula that cannot be read is refused', () => {
   refused('$\\frac{1}{$', 'index.md: ');
 });
 
+test('an excerpt says whose code it is', () => {
+  const titleOf = (file, name) =>
+    /class="code-title">([^:]+):/.exec(render(`\`\`\`source ${file} ${name}\n\`\`\``))[1];
+  assert.equal(titleOf('src/render/sloped_plane.cpp', 'own-horizon'), 'The engine');
+  assert.equal(titleOf('web/learn/23-slopes/by-hand.js', 'row'), 'This tutorial');
+});
+
 test('an excerpt is found once, and ends', (t) => {
   const folder = mkdtempSync(path.join(os.tmpdir(), 'regions-'));
   t.after(() => rmSync(folder, { recursive: true }));

@@ -142,7 +142,8 @@ function readerCode([name, ...options], chapter, program) {
 
 function sourceCode([file, name]) {
   const language = file.endsWith('.js') ? 'js' : 'cpp';
-  return code(colour(regionOf(file, name), language), `The engine: <code>${file}</code>`);
+  const whose = file.startsWith('web/learn/') ? 'This tutorial' : 'The engine';
+  return code(colour(regionOf(file, name), language), `${whose}: <code>${file}</code>`);
 }
 
 function code(html, title) {

@@ -120,4 +120,9 @@ export function rayOf(eye: Eye, column: number, size: [number, number], fov: num
 export function rowOf(z: number, depth: number, slice: SliceTrace): number;
 export function slopeOf(row: number, slice: SliceTrace): number;
 export function placeOf(run: any, row: number, slice: SliceTrace, more?: Options): any;
+export function slopeEnds(
+  hit: any,
+  part: 'top' | 'bottom',
+  slice: SliceTrace,
+): [front: number, back: number];
 export function blockName(slice: SliceTrace, run: any): string;
