@@ -5,7 +5,6 @@
 #include "world/player.h"
 
 #include <algorithm>
-#include <cmath>
 
 namespace slicecast {
 namespace {
@@ -19,10 +18,6 @@ constexpr NumberRange kEvery = {kShortestPeriod, kLongestPeriod, false,
 static_assert(kLongestGate == 60.0 && kFarthestGate == 64.0 && kStepsPerSecond == 120 &&
                   kShortestPeriod == 0.1 && kLongestPeriod == 3600.0 && kFastestMotion == 4.0,
               "as the words say");
-
-int stepsOf(double seconds) {
-    return static_cast<int>(std::floor(seconds * kStepsPerSecond + 0.5));
-}
 
 // "lever" or ["lever", "bell"], looked up when all blueprints are known.
 void readFollowed(Reading& reading, JsonValue value, int kind) {

@@ -29,10 +29,6 @@ constexpr Named<MotionShape> kShapes[] = {{MotionShape::smooth, "smooth"},
                                           {MotionShape::even, "even"},
                                           {MotionShape::stopAndGo, "stop-and-go"}};
 
-int stepsOf(double seconds) {
-    return static_cast<int>(std::floor(seconds * kStepsPerSecond + 0.5));
-}
-
 // "along" and "moves".
 void readAxis(const Fields& fields, Motion& motion) {
     motion.axis = fields.choice("along", kAxes, Axis::z);
@@ -86,6 +82,10 @@ Motion readMotion(Checker& checker, JsonValue value) {
 }
 
 }  // namespace
+
+int stepsOf(double seconds) {
+    return static_cast<int>(std::floor(seconds * kStepsPerSecond + 0.5));
+}
 
 void readMotions(Reading& reading, JsonValue value) {
     Checker& checker = reading.checker;

@@ -116,6 +116,9 @@ std::optional<std::string> readFileName(Checker& checker, JsonValue value);
 // Where an image is named.
 ImageReference referTo(const Checker& checker, JsonValue value, std::string file);
 
+// Whole steps of the world, rounded.
+int stepsOf(double seconds);
+
 // "motions": { NAME: { along, moves, from, to, period, phase, shape, once } }
 void readMotions(Reading& reading, JsonValue value);
 

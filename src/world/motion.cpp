@@ -10,18 +10,13 @@ constexpr double eased(double p) {
     return p * p * (3.0 - 2.0 * p);
 }
 
-// How far into its period a motion is after this many steps.
-std::int64_t placeInPeriod(const Motion& motion, int steps) {
-    return (std::int64_t{steps} + motion.phaseSteps) % motion.periodSteps;
-}
-
 }  // namespace
 
 // #region offset-at
 // Rounds once, at the end. The product of integers is exact, so `even` is exact to the last bit.
 Coordinate offsetAt(const Motion& motion, int steps) {
     const std::int64_t period = motion.periodSteps;
-    const std::int64_t at = placeInPeriod(motion, steps);
+    const std::int64_t at = (std::int64_t{steps} + motion.phaseSteps) % period;
     const std::int64_t twice = 2 * std::min(at, period - at);
     const std::int64_t distance = std::int64_t{motion.to.raw} - motion.from.raw;
     const double part = static_cast<double>(twice) / static_cast<double>(period);
@@ -36,7 +31,8 @@ Coordinate offsetAt(const Motion& motion, int steps) {
 // #endregion
 
 int nextStep(const Motion& motion, int steps) {
-    const bool isAtEnd = 2 * placeInPeriod(motion, steps) == motion.periodSteps;
+    const std::int64_t at = (std::int64_t{steps} + motion.phaseSteps) % motion.periodSteps;
+    const bool isAtEnd = 2 * at == motion.periodSteps;
     return motion.once && isAtEnd ? steps : (steps + 1) % motion.periodSteps;
 }
 
