@@ -37,6 +37,8 @@ struct Way {
 
 // clang-format off
 const std::vector<Way> kWays = {
+    {"hill-abbey", "into the crypt", "hill", 8.5, 17.5, 4, 270, "crypt", 6.5, 11.5, 0, 270},
+    {"hill-abbey", "out of the crypt", "crypt", 6.5, 10.4, 0, 90, "hill", 8.5, 16.5, 4, 90},
     {"wayhouse", "not turned", "hall", 3.5, 2.0, 0, 270, "shore", 15.5, 19.5, 4, 270},
     {"wayhouse", "and back", "shore", 15.5, 18.5, 4, 90, "hall", 3.5, 1.5, 0, 90},
     {"wayhouse", "turned by 90 degrees", "hall", 2.0, 3.5, 0, 180, "moor", 15.5, 22.5, 0, 270},
