@@ -355,14 +355,44 @@ void throughTheWayhouse(Guide& guide) {
     guide.mark("fallen-out-of-the-roof");
 }
 
+void throughTheHillAbbey(Guide& guide) {
+    guide.lookAround();
+    guide.mark("by-the-pool");
+    guide.walk({{24, 43.5}, {14, 43.5}});
+    guide.turnTo(270.0);
+    guide.walk({{14, 36.5}});
+    guide.mark("on-the-bridge");
+    guide.walk({{14, 29.7}});
+    guide.wait(120);
+    guide.mark("the-gate-is-open");
+    guide.walk({{14, 24.4}, {14, 23.3}, {9.7, 22.5}, {9.5, 17.4}, {8.5, 17.2}});
+    guide.turnTo(270.0);
+    guide.mark("before-the-crypt");
+    guide.goThrough({8.5, 15.5});
+    guide.walk({{6.5, 9}});
+    guide.lookTo(0.2);
+    guide.mark("in-the-crypt");
+    guide.lookTo(0.0);
+    guide.goThrough({6.5, 12.5});
+    guide.walk({{9.5, 17.4}, {9.7, 22.5}, {16.2, 24.4}, {20, 24.5}});
+    guide.run({{20, 15.4}});
+    guide.mark("up-the-ramp");
+    guide.walk({{20, 12.5}, {19.5, 8.5}, {22.5, 8.5}});
+    guide.turnTo(180.0);
+    guide.lookTo(0.15);
+    guide.mark("in-the-abbey");
+    guide.lookTo(0.0);
+    guide.walk({{20, 8.5}, {20, 13}, {29.5, 13}, {29.5, 11.3}});
+    guide.rideUp({29.5, 8.5}, 180.0);
+    guide.lookTo(-0.05);
+    guide.mark("on-the-tower");
+}
+
 constexpr std::array kTours = {
-    Tour{"castle", throughTheCastle},
-    Tour{"garden", throughTheGarden},
-    Tour{"glassworks", throughTheGlassworks},
-    Tour{"harbour-town", throughTheHarbourTown},
-    Tour{"library", throughTheLibrary},
-    Tour{"temple", throughTheTemple},
-    Tour{"water-palace", throughTheWaterPalace},
+    Tour{"castle", throughTheCastle},         Tour{"garden", throughTheGarden},
+    Tour{"glassworks", throughTheGlassworks}, Tour{"harbour-town", throughTheHarbourTown},
+    Tour{"hill-abbey", throughTheHillAbbey},  Tour{"library", throughTheLibrary},
+    Tour{"temple", throughTheTemple},         Tour{"water-palace", throughTheWaterPalace},
     Tour{"wayhouse", throughTheWayhouse},
 };
 
