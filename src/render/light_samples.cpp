@@ -119,6 +119,13 @@ std::int32_t inSteps(std::int32_t light) {  // 0 to 255 becomes 0 to 256
     return light + (light >> 7);
 }
 
+// The part of the ambient light that reaches what no sample shows.
+Pixel everywhere(const LightScene& scene) {
+    const Colour ambient = scene.light().ambient;
+    const auto third = [](int channel) { return (channel * 1020 + 1530) / 3060; };
+    return opaque({third(ambient.r), third(ambient.g), third(ambient.b)});
+}
+
 }  // namespace
 
 FaceNodes LightSamples::ofOutside(const LightScene& scene) {
@@ -265,7 +272,8 @@ FaceNodes LightSamples::nodesOf(LightScene& scene, const LitFaceAt& face, const 
                     addAll(2 * squareA, 2 * squareA + 1, 2 * squareB, 2 * squareB + 1);
                 if (mean.count == 0) addAll(0, 3, 0, 3);
                 nodes.nodes[FaceNodes::index(squareA, squareB, 1 - highA, 1 - highB)] =
-                    mean.count > 0 ? opaque({mean.of(0), mean.of(1), mean.of(2)}) : opaque({});
+                    mean.count > 0 ? opaque({mean.of(0), mean.of(1), mean.of(2)})
+                                   : everywhere(scene);
             }
         }
     }

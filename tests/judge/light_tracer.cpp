@@ -472,11 +472,16 @@ const LightTracer::Nodes& LightTracer::nodesOf(const LitFace& face) {
         }
         return sampleOf(*at, column - 4 * stepA, row - 4 * stepB);
     };
-    const auto mean = [](const std::vector<Sample>& samples) {
+    const Rgb everywhere = {map_.baked.ambient.r, map_.baked.ambient.g, map_.baked.ambient.b};
+    const auto mean = [&](const std::vector<Sample>& samples) {
         Rgb light{};
         const auto n = static_cast<int>(samples.size());
-        for (std::size_t i = 0; i < 3 && n > 0; ++i) {
+        for (std::size_t i = 0; i < 3; ++i) {
             int sum = 0;
+            if (n == 0) {
+                light[i] = (everywhere[i] * 1020 + 1530) / 3060;
+                continue;
+            }
             for (const Sample& sample : samples) sum += sample.light[i];
             light[i] = std::min(255, (sum + n / 2) / n);
         }
