@@ -305,7 +305,7 @@ Input App::takeInput() {
 void App::play() {
     const Input input = takeInput();
     if (replay_ && !isAnything(input) && replay_->step(*game_)) {
-        tellPortal();
+        tellStep();
     } else {
         step(input);
     }
@@ -315,11 +315,12 @@ void App::step(const Input& input) {
     if (!game_) return;
     endReplay();
     game_->step(input);
-    tellPortal();
+    tellStep();
     redraw();
 }
 
-void App::tellPortal() {
+void App::tellStep() {
+    if (!game_->world().quest.news.empty()) shell_.tell(News::quest, true);
     const Player& before = game_->beforeStep();
     const Player& now = game_->player();
     if (before.leaps == now.leaps) return;

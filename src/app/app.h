@@ -115,7 +115,7 @@ private:
     void endReplay();
     Input takeInput();
     void play();
-    void tellPortal();
+    void tellStep();
     void changeOption(const ActionInfo& info);
     double optionNow(std::string_view option) const;
     void changeNumber(const char* option, int now, int by, int least, int greatest);

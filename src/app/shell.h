@@ -29,6 +29,7 @@ enum class News {
     sound,       // its key was pressed
     fullscreen,  // its key was pressed
     record,      // its key was pressed
+    quest,       // the session has news of the world's game (Session::takeNews)
 };
 // As a page hears of them.
 inline constexpr Named<News> kNews[] = {
@@ -36,7 +37,7 @@ inline constexpr Named<News> kNews[] = {
     {News::cursor, "cursor"}, {News::recording, "recording"}, {News::replay, "replay"},
     {News::fly, "fly"},       {News::overlay, "overlay"},     {News::help, "help"},
     {News::rate, "rate"},     {News::sound, "sound"},         {News::fullscreen, "fullscreen"},
-    {News::record, "record"}};
+    {News::record, "record"}, {News::quest, "quest"}};
 
 class Shell {
 public:

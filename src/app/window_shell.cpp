@@ -3,6 +3,7 @@
 #ifndef __EMSCRIPTEN__
 
 #include "app/help_pages.h"
+#include "base/words.h"
 #include "overlay/text.h"
 #include "session/hits_json.h"
 
@@ -40,6 +41,22 @@ constexpr auto kPadButtons = std::to_array<PadButton>({
     {SDL_CONTROLLER_BUTTON_DPAD_LEFT, kPadLeft},
     {SDL_CONTROLLER_BUTTON_DPAD_RIGHT, kPadRight},
 });
+
+constexpr std::size_t kMessageWidth = 56;  // characters of a line of a message
+
+// Breaks a text into lines at its spaces.
+std::string wrapped(std::string text, std::size_t width) {
+    std::size_t lineBegin = 0;
+    std::size_t space = std::string::npos;
+    for (std::size_t i = 0; i < text.size(); ++i) {
+        if (text[i] == ' ') space = i;
+        if (text[i] == '\n') lineBegin = i + 1;
+        if (i - lineBegin < width || space == std::string::npos || space < lineBegin) continue;
+        text[space] = '\n';
+        lineBegin = space + 1;
+    }
+    return text;
+}
 
 std::string sdlFault(const char* what) {
     return std::string(what) + ": " + SDL_GetError();
@@ -109,6 +126,7 @@ void WindowShell::setTitle(const std::string& title) {
 
 std::string WindowShell::shownTitle() const {
     std::string shown = title_;
+    if (finds_ > 0) shown += words(" (", taken_, " of ", finds_, ")");
     if (app_->isRecording()) shown += " (recording)";
     if (app_->replayed() != nullptr) shown += " (replay)";
     if (app_->paused()) shown += " (paused)";
@@ -146,6 +164,8 @@ void WindowShell::drawPanels(SDL_Surface& surface) const {
                       rates_.drawMilliseconds);
         drawTextPanel(picture, Anchor::top, text);
     }
+    if (!message_.empty() && nowSeconds() < messageEnd_)
+        drawTextPanel(picture, Anchor::bottom, message_);
     const std::vector<std::string> pages = helpPages(app_->keys(), {surface.w, surface.h});
     if (helpPage_ < pages.size()) drawTextPanel(picture, Anchor::middle, pages[helpPage_]);
 }
@@ -197,6 +217,9 @@ void WindowShell::tell(News news, bool yes) {
             showsRate_ = yes && !showsRate_;
             app_->redraw();
             break;
+        case News::quest:
+            showNews();
+            break;
         case News::ready:
         case News::pointer:
         case News::cursor:
@@ -205,6 +228,21 @@ void WindowShell::tell(News news, bool yes) {
         case News::sound:  // the program in a window is silent
             break;
     }
+}
+
+// The last text of the news, and how many finds are taken.
+void WindowShell::showNews() {
+    constexpr double kReadingSeconds = 5.0;
+    Session& game = *app_->game();
+    for (const QuestNews& news : game.takeNews()) {
+        if (news.text.empty()) continue;
+        message_ = wrapped(news.text, kMessageWidth);
+        messageEnd_ = nowSeconds() + kReadingSeconds;
+    }
+    taken_ = game.world().quest.taken;
+    finds_ = static_cast<int>(game.world().quest.finds.size());
+    setTitle(title_);
+    app_->redraw();
 }
 
 // ---- events

@@ -65,6 +65,7 @@ private:
     static constexpr std::size_t kNoPage = SIZE_MAX;
 
     std::string shownTitle() const;
+    void showNews();
     Size windowSize() const;
     void fitPicture();
     void holdPointer(bool hold);
@@ -86,6 +87,10 @@ private:
     bool recordAsked_ = false;
     std::size_t helpPage_ = kNoPage;
     bool showsRate_ = false;
+    std::string message_;      // of the world's game
+    double messageEnd_ = 0.0;  // when it disappears, by nowSeconds
+    int taken_ = 0;            // finds
+    int finds_ = 0;            // of the world; 0 shows no count
 };
 
 }  // namespace slicecast

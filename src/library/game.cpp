@@ -13,7 +13,7 @@ namespace {
 
 using What = FilledRows::What;
 
-// Seen has the engine's order.
+// Seen and the kinds of news have the engine's order.
 static_assert(static_cast<int>(Seen::side) == static_cast<int>(What::side) &&
               static_cast<int>(Seen::roof) == static_cast<int>(What::roof) &&
               static_cast<int>(Seen::underside) == static_cast<int>(What::underside) &&
@@ -22,6 +22,10 @@ static_assert(static_cast<int>(Seen::side) == static_cast<int>(What::side) &&
               static_cast<int>(Seen::sky) == static_cast<int>(What::sky) &&
               static_cast<int>(Seen::haze) == static_cast<int>(What::haze) &&
               static_cast<int>(Seen::object) == static_cast<int>(What::object));
+using Told = GameNews::Kind;
+static_assert(static_cast<int>(Told::message) == static_cast<int>(QuestNews::Kind::message) &&
+              static_cast<int>(Told::find) == static_cast<int>(QuestNews::Kind::find) &&
+              static_cast<int>(Told::goal) == static_cast<int>(QuestNews::Kind::goal));
 
 ColumnHit toColumnHit(const Hit& hit, const World& world) {
     ColumnHit column = {.map = hit.map,
@@ -157,6 +161,29 @@ std::optional<Pick> Game::pick(int width, int height, int column, int row) {
 std::vector<Sound> Game::hear() {
     const std::span<const Sound> heard = state_->session.hear();
     return {heard.begin(), heard.end()};
+}
+
+GameProgress Game::progress() const {
+    const Quest& quest = state_->session.world().quest;
+    GameProgress progress = {.aim = quest.aim,
+                             .taken = quest.taken,
+                             .of = static_cast<int>(quest.finds.size()),
+                             .finds = {},
+                             .hasGoal = quest.goal.has_value(),
+                             .isReached = quest.isReached,
+                             .steps = quest.steps};
+    for (const FindKind& kind : quest.kinds)
+        progress.finds.push_back({kind.name, kind.taken, kind.count});
+    return progress;
+}
+
+std::vector<GameNews> Game::takeNews() {
+    std::vector<GameNews> told;
+    for (QuestNews& news : state_->session.takeNews()) {
+        told.push_back({static_cast<GameNews::Kind>(news.kind), std::move(news.text),
+                        std::move(news.name), news.taken});
+    }
+    return told;
 }
 
 std::optional<ScreenPoint> Game::project(double x, double y, double z, int width,

@@ -51,8 +51,10 @@ void drawHeading(const MinimapView& view, const Object& object, const ObjectMoti
                  double strength, const Picture& picture) {
     const double length = kShortestLine + kLinePerSpeed * motion.speed;
     const Point from = view.place(object.x.value(), object.y.value());
-    const Point to = view.place(object.x.value() + length * cosDegrees(motion.headingDegrees),
-                                object.y.value() + length * sinDegrees(motion.headingDegrees));
+    const bool isActor = motion.isActor();
+    const double x = isActor ? object.facingX.value() : cosDegrees(motion.headingDegrees);
+    const double y = isActor ? object.facingY.value() : sinDegrees(motion.headingDegrees);
+    const Point to = view.place(object.x.value() + length * x, object.y.value() + length * y);
     if (isInside(view, from, length * view.pixelsPerTile))
         drawLine(picture, view.area, from, to, faded(kMoving, strength), view.line);
 }

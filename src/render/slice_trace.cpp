@@ -250,12 +250,19 @@ private:
         return waterFogs_ == nullptr ? fog : std::min<std::uint32_t>(fog, waterFogs_[row]);
     }
 
+    const std::vector<SpriteLevel>& shownLevels(const Span& span) const {
+        const Vista& vista = *found_.parts[static_cast<std::size_t>(span.part)].vista;
+        const Viewpoint& from = vista.viewpoint;
+        const Object& object = vista.map->objects[static_cast<std::size_t>(span.object)];
+        const ObjectSide view = sideTowards(object, from.x - object.x.raw, from.y - object.y.raw);
+        return frame_.world->sprites[span.image].levelsAt(frame_.world->seconds, view);
+    }
+
     // The index of the column of texels, from the left.
     int columnNumber(const Span& span) const {
         const auto detail = static_cast<std::size_t>(span.column.detail);
         if (span.what == What::object) {
-            const World& world = *frame_.world;
-            const SpriteLevel& level = world.sprites[span.image].levelsAt(world.seconds)[detail];
+            const SpriteLevel& level = shownLevels(span)[detail];
             return static_cast<int>((span.column.texels - level.texels.data()) / level.height);
         }
         const TextureLevel& level = frame_.textures[span.image].levels[detail];

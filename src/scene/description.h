@@ -30,6 +30,7 @@ struct TextureReference {
     std::optional<Colour> colour;
     int frames = 1;
     double rate = 0.0;                    // frames per second
+    int views = 1;                        // of sprites only: rows of the sheet
     Material material = Material::stone;  // of textures only
 };
 

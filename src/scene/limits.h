@@ -16,9 +16,11 @@ inline constexpr std::size_t kMaxSceneValues =
     2'000'000;  // values in the JSON text, up to 56 bytes each; one row of a map is one value
 inline constexpr std::size_t kMaxNameLength =
     100;  // characters of the name of a texture, blueprint or map
-inline constexpr std::size_t kMaxPathLength = 1000;  // characters of a file's name
-inline constexpr std::size_t kMaxTitleLength = 200;  // characters
-inline constexpr std::size_t kMaxLegend = 4096;      // characters of one legend
+inline constexpr std::size_t kMaxPathLength = 1000;    // characters of a file's name
+inline constexpr std::size_t kMaxTitleLength = 200;    // characters
+inline constexpr std::size_t kMaxMessageLength = 300;  // characters
+inline constexpr std::size_t kMaxPathPoints = 64;      // of an object that patrols
+inline constexpr std::size_t kMaxLegend = 4096;        // characters of one legend
 inline constexpr int kMaxSowings =
     64;  // kinds of objects sown over one map: each looks at all of its tiles
 inline constexpr std::size_t kMaxFaults = 1000;            // faults listed; more do not help

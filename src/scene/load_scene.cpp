@@ -43,15 +43,21 @@ public:
 
     Sprite sprite(const TextureReference& sprite, std::string name) {
         const ImageReference& reference = sprite.image;
-        const Image image = decode(reference, kMaxSpriteSide * sprite.frames, kMaxSpriteSide);
+        const Image image =
+            decode(reference, kMaxSpriteSide * sprite.frames, kMaxSpriteSide * sprite.views);
         if (image.empty()) return {};
         if (image.width % sprite.frames != 0) {
             add(reference, {"which is ", image.width, "x", image.height, " pixels"},
                 {"a sheet of ", sprite.frames, " frames of equal width side by side"});
             return {};
         }
+        if (image.height % sprite.views != 0) {
+            add(reference, {"which is ", image.width, "x", image.height, " pixels"},
+                {"a sheet of ", sprite.views, " rows of equal height"});
+            return {};
+        }
         return take(reference, image)
-                   ? makeSprite(std::move(name), image, sprite.frames, sprite.rate)
+                   ? makeSprite(std::move(name), image, sprite.frames, sprite.rate, sprite.views)
                    : Sprite{};
     }
 
@@ -205,6 +211,7 @@ LoadedScene loadScene(ParsedScene scene, const SceneFiles& files, EarlyImages ea
         markPlans(world);
         for (Map& map : world.maps) widenObjects(world, map);
         startObjects(world);
+        startQuest(world);
     }
     if (loaded.faults.empty()) {
         loaded.warnings = std::move(scene.warnings);

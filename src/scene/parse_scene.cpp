@@ -17,7 +17,7 @@ void readScene(Reading& reading, JsonValue root) {
     const auto fields =
         checker.fields(root,
                        {"$schema", "title", "textures", "sprites", "motions", "blueprints",
-                        "legend", "maps", "portalLimit", "start"},
+                        "legend", "maps", "portalLimit", "game", "start"},
                        "a scene: an object with \"title\", \"textures\", \"maps\" and \"start\"");
     if (!fields) return;
     if (const auto schema = fields->find("$schema"))
@@ -54,7 +54,9 @@ void readScene(Reading& reading, JsonValue root) {
     if (const auto maps = fields->find("maps")) placeMovers(reading, *maps);
     if (const auto start = fields->require("start", "where the player starts"))
         readStart(reading, *start);
+    placePaths(reading);
     placeObjects(reading);
+    placeQuest(reading, fields->find("game"));
     if (checker.count() == 0) findHiddenLamps(reading);
     placeVariants(reading);
 }

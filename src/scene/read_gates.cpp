@@ -32,18 +32,41 @@ void readFollowed(Reading& reading, JsonValue value, int kind) {
     for (const JsonValue name : value) reading.followed.push_back({name, kind});
 }
 
+// "needs" and "locked" of the next gate; the names of finds are known once all maps are read.
+void readLock(Reading& reading, const Fields& fields, GateKind& kind) {
+    Checker& checker = reading.checker;
+    const auto needs = fields.find("needs");
+    if (needs) {
+        reading.needs.push_back(
+            {*needs, static_cast<int>(reading.description.world.gateKinds.size())});
+        if (kind.startsOpen)
+            checker.add(*needs, "a gate that starts open and needs finds",
+                        "\"needs\" of a gate that starts closed");
+    }
+    const auto locked = fields.find("locked");
+    if (!locked) return;
+    kind.locked = checker
+                      .text(*locked, kMaxMessageLength,
+                            {"a message of 1 to ", kMaxMessageLength, " characters"})
+                      .value_or("");
+    if (!needs)
+        checker.addAtKey(*locked, "a message of a gate that needs nothing",
+                         "\"locked\" together with \"needs\"");
+}
+
 }  // namespace
 
-// { "seconds", "reach", "keyed", "approach", "hold", "every", "once", "follows", "open" }
+// { "seconds", "reach", "keyed", "approach", "hold", "every", "once", "follows", "open", "needs",
+// "locked" }
 int readGate(Reading& reading, JsonValue value) {
     Checker& checker = reading.checker;
     std::vector<GateKind>& kinds = reading.description.world.gateKinds;
     const int number = static_cast<int>(kinds.size());
     GateKind kind;
-    const auto fields = checker.fields(
-        value,
-        {"seconds", "reach", "keyed", "approach", "hold", "every", "once", "follows", "open"},
-        "a gate: an object, which may be {}");
+    const auto fields = checker.fields(value,
+                                       {"seconds", "reach", "keyed", "approach", "hold", "every",
+                                        "once", "follows", "open", "needs", "locked"},
+                                       "a gate: an object, which may be {}");
     if (fields) {
         const auto followed = fields->find("follows");
         kind.steps = std::max(1, stepsOf(fields->number("seconds", kOpening, 0.8)));
@@ -56,6 +79,7 @@ int readGate(Reading& reading, JsonValue value) {
         if (fields->find("every")) kind.everySteps = stepsOf(fields->number("every", kEvery, 1.0));
         kind.once = fields->flag("once", false);
         kind.startsOpen = fields->flag("open", false);
+        readLock(reading, *fields, kind);
         if (followed) readFollowed(reading, *followed, number);
         if (!kind.keyed && !kind.opensOnApproach && kind.everySteps == 0 && !followed)
             checker.add(value, "a gate that nothing opens",

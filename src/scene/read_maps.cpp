@@ -47,8 +47,8 @@ Map readMap(Reading& reading, JsonValue value, std::size_t index, const Legend& 
     Map map;
     const auto fields =
         checker.fields(value,
-                       {"name", "legend", "levels", "floor", "ceiling", "objects", "sow", "portals",
-                        "sky", "light", "baked", "fog", "haze", "far"},
+                       {"name", "legend", "levels", "floor", "ceiling", "objects", "sow",
+                        "messages", "portals", "sky", "light", "baked", "fog", "haze", "far"},
                        "a map: an object with \"name\", \"levels\" and \"floor\"");
     if (!fields) return map;
     readName(reading, *fields, static_cast<std::uint16_t>(index), map);
@@ -73,6 +73,7 @@ Map readMap(Reading& reading, JsonValue value, std::size_t index, const Legend& 
     }
     if (const auto objects = fields->find("objects")) readObjects(reading, *objects, hasSize, map);
     if (const auto sow = fields->find("sow")) readSowing(reading, *sow);
+    if (const auto messages = fields->find("messages")) readMessages(reading, *messages);
     if (const auto portals = fields->find("portals")) reading.portals.push_back({*portals, index});
     if (const auto sky = fields->find("sky")) readSky(reading, *sky, index, map);
     if (const auto light = fields->find("light")) readLight(reading, *light, map.light);

@@ -1,4 +1,5 @@
 // Sprites and the objects that show them.
+#include "base/angle.h"
 #include "scene/limits.h"
 #include "scene/readers.h"
 
@@ -10,7 +11,8 @@ static_assert(kMaxHeight == 1000.0, "as the words say");
 
 // Adds the motion of the next object of the map being read. Its number among all moving objects
 // seeds its random numbers.
-void addMotion(Reading& reading, JsonValue value, ObjectMotion motion, int object) {
+void addMotion(Reading& reading, JsonValue value, const ReadMotion& read, int object) {
+    ObjectMotion motion = read.motion;
     std::vector<ObjectMotion>& motions = reading.description.world.movingObjects.motions;
     if (motions.size() == static_cast<std::size_t>(kMaxMovingObjects)) {
         reading.checker.add(value, words("more than ", kMaxMovingObjects, " moving objects"),
@@ -20,18 +22,25 @@ void addMotion(Reading& reading, JsonValue value, ObjectMotion motion, int objec
     motion.map = static_cast<int>(reading.description.world.maps.size());
     motion.object = object;
     motion.random = Random(motions.size());
+    if (read.path) {
+        std::vector<std::vector<PathPoint>>& paths = reading.description.world.movingObjects.paths;
+        motion.path = static_cast<int>(paths.size());
+        paths.emplace_back();
+        reading.paths.push_back({*read.path, motions.size()});
+    }
     reading.placedMotions.push_back({value, motions.size()});
     motions.push_back(motion);
 }
 
-// { "sprite", "x", "y", "z", "width", "height", "light", "glow", "lamp", "float", "motion" }; a
-// width of 0 is found from the sprite later.
+// { "sprite", "x", "y", "z", "width", "height", "light", "glow", "lamp", "float", "heading",
+// "find", "message", "motion" }; a width of 0 is found from the sprite later.
 std::optional<Object> readObject(Reading& reading, JsonValue value, bool hasSize, const Map& map) {
     Checker& checker = reading.checker;
-    const auto fields = checker.fields(
-        value,
-        {"sprite", "x", "y", "z", "width", "height", "light", "glow", "lamp", "float", "motion"},
-        "an object: an object with \"sprite\", \"x\", \"y\" and \"height\"");
+    const auto fields =
+        checker.fields(value,
+                       {"sprite", "x", "y", "z", "width", "height", "light", "glow", "lamp",
+                        "float", "heading", "find", "message", "motion"},
+                       "an object: an object with \"sprite\", \"x\", \"y\" and \"height\"");
     if (!fields) return std::nullopt;
     const std::size_t faultsBefore = checker.count();
     Object object;
@@ -52,6 +61,17 @@ std::optional<Object> readObject(Reading& reading, JsonValue value, bool hasSize
         if (object.floats || fields->find("motion"))
             checker.add(*lamp, "a lamp on an object that moves",
                         "\"lamp\" without \"float\" and \"motion\": lamps stand still");
+        if (fields->find("find"))
+            checker.add(*lamp, "a lamp on a find", "\"lamp\" without \"find\": finds are taken");
+    }
+    if (const auto heading = fields->find("heading")) {
+        const SineCosine facing =
+            sineCosineDegrees(checker.number(*heading, kHeadingRange).value_or(0.0));
+        object.facingX = toCoordinate(facing.cosine);
+        object.facingY = toCoordinate(facing.sine);
+        if (fields->find("motion"))
+            checker.addAtKey(*heading, "a heading beside a motion",
+                             "\"heading\" within \"motion\"");
     }
     std::optional<ReadMotion> moves;
     if (const auto motion = fields->find("motion")) moves = readObjectMotion(reading, *motion);
@@ -60,8 +80,11 @@ std::optional<Object> readObject(Reading& reading, JsonValue value, bool hasSize
         checker.add(value, "an object outside the map",
                     {"x below ", map.width, " and y below ", map.depth});
     }
+    const auto index = static_cast<int>(map.objects.size());
+    if (const auto find = fields->find("find")) readFind(reading, *find, index);
+    if (const auto message = fields->find("message")) readObjectMessage(reading, *message, index);
     if (checker.count() != faultsBefore) return std::nullopt;
-    if (moves) addMotion(reading, value, moves->motion, static_cast<int>(map.objects.size()));
+    if (moves) addMotion(reading, value, *moves, index);
     return object;
 }
 

@@ -104,6 +104,9 @@ void readSown(Reading& reading, JsonValue value) {
     sowing.object.floats = fields->flag("float", false);
     if (const auto motion = fields->find("motion")) {
         const ReadMotion read = readObjectMotion(reading, *motion);
+        if (read.motion.kind == ObjectMotion::Kind::patrol)
+            checker.add(*motion, "a sown object that patrols",
+                        "another kind: a path begins at one place");
         sowing.motion = read.motion;
         sowing.anyHeading = !read.hasHeading;
     }

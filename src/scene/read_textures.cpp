@@ -64,12 +64,18 @@ TextureReference readPicture(Checker& checker, JsonValue value, bool isTexture) 
         picture.image = referTo(checker, value, readFileName(checker, value).value_or(""));
     } else {
         std::vector<std::string_view> keys = {"file", "frames", "rate", "material", "variants"};
-        if (!isTexture) keys.resize(3);
+        if (!isTexture) {
+            keys.resize(3);
+            keys.emplace_back("views");
+        }
         const auto fields = checker.fields(
             value, keys, "a PNG file's name, or an object with \"file\" and \"frames\"");
         if (!fields) return picture;
         if (const auto file = fields->require("file", "the name of a PNG file"))
             picture.image = referTo(checker, *file, readFileName(checker, *file).value_or(""));
+        static_assert(kViews == 4, "as the words say");
+        constexpr NumberRange kAllViews = {4.0, 4.0, false,
+                                           "4: rows for the front, right, back and left"};
         constexpr NumberRange kFrames = {2.0, kMaxFrames, false,
                                          "a whole number of frames, from 2 to 64"};
         constexpr NumberRange kRate = {0.0, kMaxFrameRate, true,
@@ -77,7 +83,10 @@ TextureReference readPicture(Checker& checker, JsonValue value, bool isTexture) 
         const auto rate = fields->find("rate");
         const bool hasMaterial = isTexture && fields->find("material");
         if (hasMaterial) material = fields->choice("material", kMaterialNames, Material::stone);
-        const bool isSheet = rate || !(hasMaterial || (isTexture && fields->find("variants")));
+        const auto views = isTexture ? FoundValue{} : fields->find("views");
+        if (views && checker.number(*views, kAllViews)) picture.views = kViews;
+        const bool isSheet =
+            rate || !(hasMaterial || views || (isTexture && fields->find("variants")));
         if (const auto frames =
                 isSheet ? fields->require("frames", kFrames.words) : fields->find("frames")) {
             const double count = checker.number(*frames, kFrames).value_or(2.0);

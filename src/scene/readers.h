@@ -48,6 +48,24 @@ struct PlacedMotion {
     std::size_t motion;  // index into the world's
 };
 
+// The path of an object that patrols, and where the file states it.
+struct PlacedPath {
+    JsonValue value;
+    std::size_t motion;
+};
+
+// What a gate needs, and where the file states it.
+struct PlacedNeeds {
+    JsonValue value;
+    int gate;  // index into World::gateKinds
+};
+
+// A message of an area, and where the file states it.
+struct PlacedNotice {
+    JsonValue value;
+    std::size_t notice;  // index into Quest::notices
+};
+
 // "portals" of a map, which are read once all maps are known.
 struct PortalList {
     JsonValue value;
@@ -80,6 +98,10 @@ struct Reading {
     std::vector<PlacedLamp> lamps = {};
     std::vector<std::vector<TextureId>> pictures = {};  // of textures with variants, by TextureId
     FoundValue variants = {};                           // the last list of variants
+    NameTable findKinds = {};                           // index into Quest::kinds
+    std::vector<PlacedPath> paths = {};
+    std::vector<PlacedNeeds> needs = {};
+    std::vector<PlacedNotice> placedNotices = {};
 };
 
 // "textures": { NAME: FILE, "#rrggbb" or { file, frames, rate, material, variants } }; a sheet
@@ -89,19 +111,34 @@ void readTextures(Reading& reading, JsonValue value);
 // A file or a sheet of frames; a texture may also be a colour, and has a material.
 TextureReference readPicture(Checker& checker, JsonValue value, bool isTexture);
 
-// "sprites": { NAME: FILE or { file, frames, rate } }
+// "sprites": { NAME: FILE or { file, frames, rate, views } }
 void readSprites(Reading& reading, JsonValue value);
 
-// "objects" of a map: [ { sprite, x, y, z, width, height, light, glow, motion } ]; they are checked
-// to be on the map where `hasSize`.
+// "objects" of a map: [ { sprite, x, y, z, width, height, light, glow, heading, find, message,
+// motion } ]; they are checked to be on the map where `hasSize`.
 void readObjects(Reading& reading, JsonValue value, bool hasSize, Map& map);
 
-// "motion" of an object: { kind, speed, heading, reach }
+// "motion" of an object: { kind, speed, heading, reach, path, loop, alert, solid, sprites }
 struct ReadMotion {
     ObjectMotion motion;
     bool hasHeading = false;
+    FoundValue path = {};  // read once all maps are known
 };
 ReadMotion readObjectMotion(Reading& reading, JsonValue value);
+
+// The paths of objects that patrol. Call it when all maps have been read.
+void placePaths(Reading& reading);
+
+// "find" and "message" of the next map's object with this index.
+void readFind(Reading& reading, JsonValue value, int object);
+void readObjectMessage(Reading& reading, JsonValue value, int object);
+
+// "messages" of the next map: [ { text, x, y, width, depth, bottom, top, near, once } ]
+void readMessages(Reading& reading, JsonValue value);
+
+// "game": { aim, needs, at, message }, and the needs of gates. Call it when everything else has
+// been read.
+void placeQuest(Reading& reading, FoundValue game);
 
 // "sow" of a map: [ { sprite, density, seed, height, width, above, on, textures, clear, light,
 // glow, motion } ]
@@ -122,8 +159,8 @@ int stepsOf(double seconds);
 // "motions": { NAME: { along, moves, from, to, period, phase, shape, once } }
 void readMotions(Reading& reading, JsonValue value);
 
-// "gate" of a blueprint: { seconds, reach, keyed, approach, hold, every, once, follows, open }.
-// Gives its index into World::gateKinds.
+// "gate" of a blueprint: { seconds, reach, keyed, approach, hold, every, once, follows, open,
+// needs, locked }. Gives its index into World::gateKinds.
 int readGate(Reading& reading, JsonValue value);
 
 // Finds the gates that others follow, once all blueprints are read.

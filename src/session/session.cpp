@@ -7,6 +7,7 @@
 #include "overlay/pixel_grid.h"
 #include "overlay/slice_inspector.h"
 #include "render/classic/draw_classic.h"
+#include "world/crowd.h"
 #include "world/map_entry.h"
 #include "world/world_step.h"
 
@@ -90,9 +91,14 @@ void Session::step(const Input& input) {
     clock_.begin();
     previous_ = player_;
     const Input kept = recorder_ != nullptr ? recorder_->step(input) : input;
-    stepAround(gateAsk(kept));
-    stepObjects(world_);
+    const GateAsk ask = gateAsk(kept);
+    stepAround(ask);
+    const Body body = bodyOf(travellerOf(player_), player_.onGround);
+    stepObjects(world_, &body);
+    pushApart(world_, player_);
     stepPlayer(world_, player_, playerInput(kept, options_));
+    stepQuest(world_, player_, ask, kept != Input{});
+    keepNews();
     if (hearing_) hearing_->step(world_, previous_, player_);
     ++steps_;
     world_.seconds = static_cast<double>(steps_ - beganAt_) * kStepSeconds;
@@ -109,6 +115,17 @@ GateAsk Session::gateAsk(const Input& input) {
     if (isPressed(&Input::open)) ask.wish = GateAsk::Wish::open;
     heldBefore_ = input;
     return ask;
+}
+
+// A listener who never takes news does not collect more.
+void Session::keepNews() {
+    for (const QuestNews& news : world_.quest.news) {
+        if (news_.size() < kMostNews) news_.push_back(news);
+    }
+}
+
+std::vector<QuestNews> Session::takeNews() {
+    return std::exchange(news_, {});
 }
 
 // Steps movers and gates; bodies may stand in their way.
@@ -211,6 +228,8 @@ void Session::reset() {
     edits_.undo(world_);
     resetWorld(world_);
     resetObjects(world_);
+    resetQuest(world_);
+    news_.clear();
     beganAt_ = steps_;
     world_.seconds = 0.0;
     player_ = playerAtStart(world_);
@@ -447,6 +466,7 @@ std::uint64_t Session::fingerprint() const {
         addTo(hash, world_);
     }
     addMovingObjects(hash, world_);
+    addTo(hash, world_.quest);
     edits_.addTo(hash, world_);
     return hash.value();
 }

@@ -60,6 +60,8 @@ struct SessionState {
 
 class Session {
 public:
+    static constexpr std::size_t kMostNews = 64;
+
     // The player stands at the world's start. The world must have at least one map.
     explicit Session(World world);
 
@@ -80,6 +82,10 @@ public:
     // call begins to listen; before it, steps spend no time on this. Valid until the next step. See
     // world/hearing.h.
     std::span<const Sound> hear();
+
+    // What has happened in the world's game since the last call: messages, finds, the goal. Of
+    // those that nobody takes, the first kMostNews.
+    std::vector<QuestNews> takeNews();
 
     // Puts the player's eye somewhere else, flying, for tools; also outside the grid and inside
     // blocks. Returns false and changes nothing if the eye would see nothing: no such map, at or
@@ -146,6 +152,7 @@ public:
 private:
     GateAsk gateAsk(const Input& input);
     void stepAround(const GateAsk& ask);
+    void keepNews();
     bool drawView(const Eye& seen, const Picture& picture);
     SliceTrace traceFrom(const Eye& seen, const ColumnRequest& request);
     double classicShare() const;          // share of the width, from the left
@@ -162,6 +169,7 @@ private:
     Player previous_;   // before the last step; equals player_ after a leap
     Input heldBefore_;  // of the last step, to tell a new press from a held key
     std::vector<Body> bodies_;
+    std::vector<QuestNews> news_;
     std::optional<Hearing> hearing_;
     SessionRenderer renderer_;
     FrameReport classicReport_;  // of what the classic method drew in the last picture

@@ -12,6 +12,7 @@
 #include "session/json_text.h"
 #include "session/old_ways.h"
 #include "session/pick.h"
+#include "session/quest_json.h"
 #include "session/recording_text.h"
 #include "session/session.h"
 #include "session/spot.h"
@@ -397,6 +398,16 @@ EMSCRIPTEN_KEEPALIVE const char* slicecast_state(SlicecastSession* session) {
         .key("fingerprint")
         .text(hexText(game->fingerprint(), 16));
     return session->give(json.endObject().str());
+}
+
+EMSCRIPTEN_KEEPALIVE const char* slicecast_game(SlicecastSession* session) {
+    const Session* game = session->game();
+    return session->give(game == nullptr ? "null" : gameJson(*game));
+}
+
+EMSCRIPTEN_KEEPALIVE const char* slicecast_news(SlicecastSession* session) {
+    Session* game = session->game();
+    return session->give(game == nullptr ? "[]" : newsJson(*game));
 }
 
 EMSCRIPTEN_KEEPALIVE const double* slicecast_hear(SlicecastSession* session) {

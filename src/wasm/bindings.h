@@ -42,6 +42,7 @@
 //                                 saves the recording
 //     "hits"        {...}         T was pressed: the hits of the inspected slice, as slicecast_hits
 //                                 returns them
+//     "quest"       true          slicecast_news has something to tell
 //     "frames"      {"framesPerSecond", "drawMilliseconds", "longestMilliseconds"}
 //                                 twice a second, over the time since the last one
 //     "frame"       true          a picture has been put on the canvas
@@ -164,6 +165,12 @@ const char* slicecast_state(SlicecastSession* session);
 // The eye after the last step, fast enough for every frame: map number, x, y, z, heading, look, as
 // in slicecast_state. Valid until the session's next slicecast_view. Null without a game.
 const double* slicecast_view(SlicecastSession* session);
+
+// The world's game: what is to be found and reached, and how far the player is. What has happened
+// in it since the last call. Both as JSON, see session/quest_json.h; "null" without a game, and
+// "[]".
+const char* slicecast_game(SlicecastSession* session);
+const char* slicecast_news(SlicecastSession* session);
 
 // What the player hears, first what sounded once since the last call, then what lasts now: how many
 // numbers follow, then for each sound its kind, material, gain and pan. Order, ranges and limits as

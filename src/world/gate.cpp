@@ -26,13 +26,6 @@ std::int64_t gap(Coordinate low, Coordinate high, Coordinate fromLow, Coordinate
     return std::max({below, above, std::int64_t{0}});
 }
 
-bool areWithin(const Box& a, const Box& b, Coordinate distance) {
-    const std::int64_t x = gap(a.west, a.east, b.west, b.east);
-    const std::int64_t y = gap(a.north, a.south, b.north, b.south);
-    const std::int64_t z = gap(a.bottom, a.top, b.bottom, b.top);
-    return x * x + y * y + z * z <= std::int64_t{distance.raw} * distance.raw;
-}
-
 // Most bodies are far from most gates: the bounds tell them apart.
 bool isWithin(const Gate& gate, const Box& box, Coordinate distance) {
     return areWithin(box, gate.bounds, distance) &&
@@ -101,6 +94,8 @@ void decide(const World& world, Gate& gate, const GateKind& kind, std::span<cons
     if (kind.opensOnApproach) updateApproach(gate, kind, bodies);
     if (kind.everySteps > 0) updateTimer(gate, kind);
     if (!kind.follows.empty()) follow(world, gate, kind);
+    if (!kind.needs.none() && !holds(world.quest, kind.needs))
+        gate.wantsOpen = gate.isNear = gate.isLed = false;
     if (kind.once && wasWanted) gate.wantsOpen = true;
 }
 
@@ -147,6 +142,26 @@ void resetMover(World& world, const Gate& gate, const GateKind& kind) {
 }
 
 }  // namespace
+
+bool areWithin(const Box& a, const Box& b, Coordinate distance) {
+    const std::int64_t x = gap(a.west, a.east, b.west, b.east);
+    const std::int64_t y = gap(a.north, a.south, b.north, b.south);
+    const std::int64_t z = gap(a.bottom, a.top, b.bottom, b.top);
+    return x * x + y * y + z * z <= std::int64_t{distance.raw} * distance.raw;
+}
+
+int refusedGate(const World& world, const GateAsk& ask, int map, const Box& body) {
+    const bool isAsked = ask.wish == GateAsk::Wish::change || ask.wish == GateAsk::Wish::open;
+    for (std::size_t i = 0; i < world.gates.size(); ++i) {
+        const Gate& gate = world.gates[i];
+        const GateKind& kind = world.gateKinds[static_cast<std::size_t>(gate.kind)];
+        if (kind.needs.none() || holds(world.quest, kind.needs)) continue;
+        if ((isAsked && hears(gate, kind, ask)) ||
+            (kind.opensOnApproach && gate.map == map && isWithin(gate, body, kind.approach)))
+            return static_cast<int>(i);
+    }
+    return -1;
+}
 
 GateOffer gateOffer(const World& world, const GateAsk& ask) {
     GateOffer offer = GateOffer::none;

@@ -17,10 +17,12 @@
 #include "world/blueprint.h"
 #include "world/box.h"
 #include "world/placing_fault.h"
+#include "world/quest.h"
 
 #include <cstddef>
 #include <cstdint>
 #include <span>
+#include <string>
 #include <vector>
 
 namespace slicecast {
@@ -47,7 +49,9 @@ struct GateKind {
     bool once = false;         // it never closes again
     bool startsOpen = false;
     std::vector<int> follows =
-        {};  // kinds: it opens when a gate of one is open, closes when none is
+        {};                   // kinds: it opens when a gate of one is open, closes when none is
+    Needs needs = {};         // it opens only for a player who has these finds
+    std::string locked = {};  // the message without them; empty for one that says what is missing
 };
 
 // A face that shows a sheet: frame 0 is `first`, frame n is `later` + n - 1.
@@ -102,6 +106,13 @@ void makeGateFrames(World& world);
 // any.
 enum class GateOffer : std::uint8_t { none, open, close };
 GateOffer gateOffer(const World& world, const GateAsk& ask);
+
+// The gate that the player tries to open without what it needs, by a key or by coming near; -1 for
+// none.
+int refusedGate(const World& world, const GateAsk& ask, int map, const Box& body);
+
+// True if the boxes are at most `distance` apart; those that touch are 0 apart.
+bool areWithin(const Box& a, const Box& b, Coordinate distance);
 
 // One step of all gates. Does not move the bodies. Call findEncounters before.
 void stepGates(World& world, std::span<Body> bodies, const GateAsk& ask);

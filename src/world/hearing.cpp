@@ -213,11 +213,24 @@ void Hearing::add(const Sound& sound) {
 void Hearing::step(const World& world, const Player& before, const Player& now) {
     if (isTaken_) count_ = 0;
     isTaken_ = false;
-    constexpr int kMostInAStep = 4;  // a crossing, a jump or a landing, a step, a knock
+    // A crossing, a jump or a landing, a step, a knock, a find, the goal
+    constexpr int kMostInAStep = 6;
     if (count_ > kMostAtOnce - kMostInAStep) return;
     if (now.leaps != before.leaps) add({.kind = SoundKind::crossing, .gain = 1.0});
     hearFeet(world, before, now);
     add(movedGates(world, now, true).as(SoundKind::knock));
+    hearQuest(world);
+}
+
+// Two finds at once sound like one.
+void Hearing::hearQuest(const World& world) {
+    const auto has = [&](QuestNews::Kind kind) {
+        const std::vector<QuestNews>& news = world.quest.news;
+        return std::any_of(news.begin(), news.end(),
+                           [kind](const QuestNews& each) { return each.kind == kind; });
+    };
+    if (has(QuestNews::Kind::find)) add({.kind = SoundKind::find, .gain = 1.0});
+    if (has(QuestNews::Kind::goal)) add({.kind = SoundKind::goal, .gain = 1.0});
 }
 
 void Hearing::hearFeet(const World& world, const Player& before, const Player& now) {

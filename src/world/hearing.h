@@ -42,6 +42,7 @@ public:
 
 private:
     void add(const Sound& sound);
+    void hearQuest(const World& world);
     void hearFeet(const World& world, const Player& before, const Player& now);
 
     std::array<Sound, kMost> heard_;

@@ -3,9 +3,12 @@
 #include "base/angle.h"
 #include "base/hash.h"
 #include "world/body.h"
+#include "world/crowd.h"
+#include "world/object_behaviour.h"
+#include "world/object_walk.h"
 #include "world/player.h"
-#include "world/traveller.h"
 #include "world/water.h"
+#include "world/world.h"
 
 #include <algorithm>
 
@@ -14,128 +17,10 @@ namespace {
 
 constexpr int kShortestWay = kStepsPerSecond / 2;  // steps for which a wanderer keeps its heading
 constexpr int kLongestWay = kStepsPerSecond * 4;
-constexpr double kWidestTurn = 70.0;   // degrees, at each change of heading
-constexpr double kTurnAtLedge = 60.0;  // degrees to either side of straight back
-constexpr Coordinate kFallPerStep = toCoordinate(kGravity * kStepSeconds * kStepSeconds);
-constexpr Coordinate kFastestFall = toCoordinate(kGreatestFall * kStepSeconds);
+constexpr double kWidestTurn = 70.0;      // degrees, at each change of heading
+constexpr double kTurnAtLedge = 60.0;     // degrees to either side of straight back
 constexpr double kPhases = 4294967296.0;  // per turn
 constexpr double kPi = 3.14159265358979323846;
-
-Object& movedObject(World& world, const ObjectMotion& motion) {
-    return world.maps[static_cast<std::size_t>(motion.map)]
-        .objects[static_cast<std::size_t>(motion.object)];
-}
-
-Traveller travellerOf(const ObjectMotion& motion, const Object& object) {
-    return {.map = motion.map,
-            .box = objectBody(object),
-            .eye = {object.x, object.y, object.z + motion.eye},
-            .behind = motion.behind,
-            .floats = object.floats};
-}
-
-// True if the water has become too deep for a walker: deeper than half its height.
-bool isTooDeep(const World& world, const Object& object, const Traveller& before,
-               const Traveller& body) {
-    const Coordinate depth = waterDepth(world, body);
-    return depth.raw > object.height.raw / 2 && depth > waterDepth(world, before);
-}
-
-// Moves an object from its map's list to the end of another map's; the others keep their order.
-void changeMap(World& world, ObjectMotion& motion, int map) {
-    std::vector<Object>& from = world.maps[static_cast<std::size_t>(motion.map)].objects;
-    std::vector<Object>& to = world.maps[static_cast<std::size_t>(map)].objects;
-    to.push_back(from[static_cast<std::size_t>(motion.object)]);
-    from.erase(from.begin() + motion.object);
-    for (ObjectMotion& other : world.movingObjects.motions) {
-        if (other.map == motion.map && other.object > motion.object) --other.object;
-    }
-    motion.map = map;
-    motion.object = static_cast<int>(to.size()) - 1;
-}
-
-// Puts the object where its body has arrived after moving by `way`. Portals turn everything that
-// has a direction.
-void put(World& world, ObjectMotion& motion, const Traveller& body, GroundPoint way) {
-    Object& object = movedObject(world, motion);
-    GroundPoint fromHome = {object.x + way.x - motion.homeX, object.y + way.y - motion.homeY};
-    object.x = body.eye.x;
-    object.y = body.eye.y;
-    object.z = body.box.bottom;
-    motion.eye = body.eye.z - body.box.bottom;
-    motion.behind = body.behind;
-    if (body.leaps == 0) return;
-    turnArrow(body.turn, fromHome.x, fromHome.y);
-    turnArrow(body.turn, motion.wayX, motion.wayY);
-    motion.homeX = object.x - fromHome.x;
-    motion.homeY = object.y - fromHome.y;
-    motion.headingDegrees = wrapDegrees(motion.headingDegrees + 90.0 * body.turn);
-    motion.phase += static_cast<std::uint32_t>(body.turn) << 30;
-    if (body.map != motion.map) changeMap(world, motion, body.map);
-}
-
-void face(ObjectMotion& motion, double degrees) {
-    motion.headingDegrees = wrapDegrees(degrees);
-    const SineCosine heading = sineCosineDegrees(motion.headingDegrees);
-    motion.wayX = toCoordinate(heading.cosine * motion.speed * kStepSeconds);
-    motion.wayY = toCoordinate(heading.sine * motion.speed * kStepSeconds);
-}
-
-// Raises or lowers the eye to half height after a step up or down.
-void straighten(const World& world, const Object& object, Traveller& body) {
-    const Coordinate lag = body.box.bottom + Coordinate{object.height.raw / 2} - body.eye.z;
-    if (lag.raw != 0) moveEye(world, body, lag);
-}
-
-// Puts a body onto the ground, if there is any within a step below it.
-bool comeDown(const World& world, Traveller& body) {
-    const Coordinate drop = sweepZ(world, body, {-kStepHeight.raw});
-    const Box above = body.box;
-    body.box = moved(above, {.x = {}, .y = {}, .z = drop});
-    if (drop.raw > -kStepHeight.raw || isSupported(world, body)) return true;
-    body.box = above;
-    return false;
-}
-
-// Falls straight down.
-void fall(World& world, ObjectMotion& motion) {
-    Traveller body = travellerOf(motion, movedObject(world, motion));
-    motion.fallen = std::min(motion.fallen + kFallPerStep, kFastestFall);
-    motion.onGround = !rise(world, body, {-motion.fallen.raw});
-    if (motion.onGround) motion.fallen = {};
-    put(world, motion, body, {});
-}
-
-// The result of a step.
-struct Step {
-    bool stoppedX = false;
-    bool stoppedY = false;
-    int slip = 0;          // see Slide
-    bool refused = false;  // not moved: at a ledge, or pushed off its line
-};
-
-// One step sideways and, over stairs, up or down. Starts to fall if the ground is lost.
-Step walk(World& world, ObjectMotion& motion, GroundPoint way) {
-    const Object& object = movedObject(world, motion);
-    const Traveller before = travellerOf(motion, object);
-    Traveller body = before;
-    const Travelled done = slide(world, body, way.x, way.y, kStepHeight);
-    Step step = {.stoppedX = done.stoppedX, .stoppedY = done.stoppedY, .slip = done.slip};
-    // A pacer keeps to its line. A wanderer with a limited reach must pass a portal on a straight
-    // way, because its home moves by the same way.
-    const bool straight =
-        motion.kind == ObjectMotion::Kind::pace || (body.leaps > 0 && motion.reach.raw > 0);
-    const bool isAside = step.stoppedX || step.stoppedY || step.slip != 0;
-    step.refused =
-        (straight && isAside) || !comeDown(world, body) || isTooDeep(world, object, before, body);
-    if (step.refused) {
-        body = before;
-        motion.onGround = comeDown(world, body);
-    }
-    straighten(world, object, body);
-    put(world, motion, body, step.refused ? GroundPoint{} : way);
-    return step;
-}
 
 bool isOutward(Coordinate from, Coordinate way, Coordinate reach) {
     return reach.raw > 0 && (way.raw > 0 ? from > reach : way.raw < 0 && from.raw < -reach.raw);
@@ -145,36 +30,45 @@ void wander(World& world, ObjectMotion& motion) {
     if (!motion.onGround) return fall(world, motion);
     if (--motion.steps <= 0) {
         motion.steps = motion.random.between(kShortestWay, kLongestWay);
-        face(motion, motion.headingDegrees + motion.random.between(-kWidestTurn, kWidestTurn));
+        face(world, motion,
+             motion.headingDegrees + motion.random.between(-kWidestTurn, kWidestTurn));
     }
-    const Step step = walk(world, motion, {motion.wayX, motion.wayY});
+    const WalkStep step =
+        walk(world, motion, besideOthers(world, motion, {motion.wayX, motion.wayY}));
     if (step.refused) {
-        face(motion,
+        face(world, motion,
              motion.headingDegrees + 180.0 + motion.random.between(-kTurnAtLedge, kTurnAtLedge));
         return;
     }
     // Back from a cut as from a mirror
-    if (step.slip != 0) face(motion, (step.slip > 0 ? 90.0 : 270.0) - motion.headingDegrees);
+    if (step.slip != 0) face(world, motion, (step.slip > 0 ? 90.0 : 270.0) - motion.headingDegrees);
     const Object& object = movedObject(world, motion);
     if (step.stoppedX || isOutward(object.x - motion.homeX, motion.wayX, motion.reach))
-        face(motion, 180.0 - motion.headingDegrees);
+        face(world, motion, 180.0 - motion.headingDegrees);
     if (step.stoppedY || isOutward(object.y - motion.homeY, motion.wayY, motion.reach))
-        face(motion, -motion.headingDegrees);
+        face(world, motion, -motion.headingDegrees);
 }
 
-void turnBack(ObjectMotion& motion) {
+void turnBack(World& world, ObjectMotion& motion) {
     motion.back = !motion.back;
     motion.headingDegrees = wrapDegrees(motion.headingDegrees + 180.0);
+    setFacing(movedObject(world, motion), motion.headingDegrees);
 }
 
 void pace(World& world, ObjectMotion& motion) {
     if (!motion.onGround) return fall(world, motion);
     const int sign = motion.back ? -1 : 1;
-    if (walk(world, motion, {{sign * motion.wayX.raw}, {sign * motion.wayY.raw}}).refused)
-        return turnBack(motion);
+    const GroundPoint way = {{sign * motion.wayX.raw}, {sign * motion.wayY.raw}};
+    // Keeps to its line, and waits there for others
+    const GroundPoint beside = besideOthers(world, motion, way);
+    if (beside.x != way.x || beside.y != way.y) {
+        walk(world, motion, {});
+        return;
+    }
+    if (walk(world, motion, way).refused) return turnBack(world, motion);
     motion.steps += sign;
     const double length = motion.steps * motion.speed * kStepSeconds;
-    if (motion.back ? motion.steps <= 0 : length >= motion.reach.value()) turnBack(motion);
+    if (motion.back ? motion.steps <= 0 : length >= motion.reach.value()) turnBack(world, motion);
 }
 
 GroundPoint onCircle(GroundPoint centre, Coordinate radius, std::uint32_t phase) {
@@ -189,9 +83,10 @@ std::uint32_t phaseOf(double headingDegrees) {
         static_cast<std::int64_t>(wrapDegrees(headingDegrees - 90.0) / 360.0 * kPhases));
 }
 
-void faceAlongCircle(ObjectMotion& motion) {
+void faceAlongCircle(World& world, ObjectMotion& motion) {
     motion.headingDegrees =
         wrapDegrees(motion.phase * (360.0 / kPhases) + (motion.back ? -90.0 : 90.0));
+    setFacing(movedObject(world, motion), motion.headingDegrees);
 }
 
 void circle(World& world, ObjectMotion& motion) {
@@ -209,7 +104,22 @@ void circle(World& world, ObjectMotion& motion) {
         motion.phase = phase;
         put(world, motion, body, way);
     }
-    faceAlongCircle(motion);
+    faceAlongCircle(world, motion);
+}
+
+void moveCalmly(World& world, ObjectMotion& motion) {
+    switch (motion.kind) {
+        case ObjectMotion::Kind::wander:
+            return wander(world, motion);
+        case ObjectMotion::Kind::pace:
+            return pace(world, motion);
+        case ObjectMotion::Kind::circle:
+            return circle(world, motion);
+        case ObjectMotion::Kind::stand:
+            return stand(world, motion);
+        case ObjectMotion::Kind::patrol:
+            return patrol(world, motion);
+    }
 }
 
 }  // namespace
@@ -226,28 +136,38 @@ GroundPoint beginning(const ObjectMotion& motion, GroundPoint put) {
                : put;
 }
 
+// Puts a moving object to its beginning, and stores what it needs there.
+static void begin(World& world, ObjectMotion& motion) {
+    Object& object = movedObject(world, motion);
+    motion.homeX = object.x;
+    motion.homeY = object.y;
+    motion.eye = {object.height.raw / 2};
+    motion.behind = {};
+    motion.standing = object.sprite;
+    const GroundPoint begins = beginning(motion, {object.x, object.y});
+    object.x = begins.x;
+    object.y = begins.y;
+    if (motion.kind == ObjectMotion::Kind::circle) {
+        motion.phase = phaseOf(motion.headingDegrees);
+        faceAlongCircle(world, motion);
+        return;
+    }
+    face(world, motion, motion.headingDegrees);
+    if (motion.kind == ObjectMotion::Kind::wander)
+        motion.steps = motion.random.between(kShortestWay, kLongestWay);
+    motion.onGround = isSupported(world, travellerOf(motion, object));
+}
+
 void startObjects(World& world) {
     floatObjects(world);
     MovingObjects& moving = world.movingObjects;
-    if (moving.motions.empty()) return;
-    for (ObjectMotion& motion : moving.motions) {
-        Object& object = movedObject(world, motion);
-        motion.homeX = object.x;
-        motion.homeY = object.y;
-        motion.eye = {object.height.raw / 2};
-        motion.behind = {};
-        const GroundPoint begins = beginning(motion, {object.x, object.y});
-        object.x = begins.x;
-        object.y = begins.y;
-        if (motion.kind == ObjectMotion::Kind::circle) {
-            motion.phase = phaseOf(motion.headingDegrees);
-            faceAlongCircle(motion);
-        } else {
-            face(motion, motion.headingDegrees);
-            if (motion.kind == ObjectMotion::Kind::wander)
-                motion.steps = motion.random.between(kShortestWay, kLongestWay);
-            motion.onGround = isSupported(world, travellerOf(motion, object));
-        }
+    if (moving.motions.empty() && world.quest.finds.empty()) return;
+    moving.anySolid = false;
+    for (std::size_t i = 0; i < moving.motions.size(); ++i) {
+        ObjectMotion& motion = moving.motions[i];
+        begin(world, motion);
+        motion.lookSteps = static_cast<int>(i) % kLookSteps + 1;
+        moving.anySolid = moving.anySolid || motion.solid;
     }
     moving.motionsAtStart = moving.motions;
     moving.objectsAtStart.clear();
@@ -259,19 +179,24 @@ void startObjects(World& world) {
     }
 }
 
-void stepObjects(World& world) {
-    for (ObjectMotion& motion : world.movingObjects.motions) {
-        switch (motion.kind) {
-            case ObjectMotion::Kind::wander:
-                wander(world, motion);
-                break;
-            case ObjectMotion::Kind::pace:
-                pace(world, motion);
-                break;
-            case ObjectMotion::Kind::circle:
-                circle(world, motion);
-                break;
+void stepObjects(World& world, const Body* player) {
+    MovingObjects& moving = world.movingObjects;
+    if (moving.anySolid) gatherCrowd(world, player);
+    for (ObjectMotion& motion : moving.motions) {
+        if (!motion.isActor()) {
+            moveCalmly(world, motion);
+            continue;
         }
+        const Object& object = movedObject(world, motion);
+        const GroundPoint before = {object.x, object.y};
+        const bool isAlert = watch(world, motion, player);
+        if (isAlert) {
+            react(world, motion, *player);
+        } else {
+            moveCalmly(world, motion);
+        }
+        showState(world, motion, before);
+        noteMoved(world, motion);
     }
 }
 
@@ -317,6 +242,7 @@ void addMovingObjects(Hash& hash, const World& world) {
             hash.add(number);
         }
         hash.add(motion.headingDegrees);
+        if (motion.isActor()) addActor(hash, motion, object);
     }
 }
 

@@ -1,4 +1,5 @@
-// Moving objects: they wander about, pace to and fro or fly in circles, 1/120 s at a time.
+// Moving objects: they wander about, pace to and fro, fly in circles, stand or patrol, 1/120 s at a
+// time; and some greet, follow or flee the player while they are alert.
 //
 // A moving object is a body (see traveller.h) as wide as its picture, within limits, and as high,
 // with its eye halfway up. A free body stays free. Walkers climb steps like the player and turn at
@@ -6,9 +7,9 @@
 // ones cross water like ground. Flyers reverse. All go through portals. Ways are sums of
 // coordinates, so they are the same on every machine. Still objects cost nothing here.
 //
-//     startObjects(world);      once the world is complete
-//     stepObjects(world);       1/120 s
-//     resetObjects(world);      back to the start
+//     startObjects(world);            once the world is complete
+//     stepObjects(world, &player);    1/120 s
+//     resetObjects(world);            back to the start
 #pragma once
 
 #include "base/coordinate.h"
@@ -17,6 +18,7 @@
 #include "world/portal.h"
 
 #include <cstdint>
+#include <optional>
 #include <span>
 #include <vector>
 
@@ -32,12 +34,28 @@ inline constexpr Coordinate kNarrowestBody =
     toCoordinate(0.125);  // wider than collision.h's kLongestSlide
 inline constexpr Coordinate kWidestBody = toCoordinate(0.4);  // as wide as the player
 
+// A place on a map.
+struct GroundPoint {
+    Coordinate x;
+    Coordinate y;
+};
+
 struct ObjectMotion {
     enum class Kind : std::uint8_t {
         wander,  // walks ahead and changes its heading now and then; bounces off obstacles, axis by
                  // axis
         pace,    // walks to and fro along a line
         circle,  // flies clockwise around a point, at its height
+        stand,   // stays at home, or walks back there
+        patrol,  // walks along a path, see PathPoint
+    };
+    // What it does instead while it is alert: from when it sees the player within `near` until
+    // `calmSteps` after it last did.
+    enum class Reaction : std::uint8_t {
+        none,
+        greet,   // stops and turns to the player
+        follow,  // walks to the player, also through portals, and stops `keep` away
+        flee,    // walks away from the player
     };
     Kind kind = Kind::wander;
     int map = 0;                  // index into World::maps
@@ -47,6 +65,17 @@ struct ObjectMotion {
     Coordinate reach;  // wander: distance from home along each axis, 0 for no limit; pace: length
                        // of the way; circle: radius
     Random random{0};  // its own
+    Reaction reaction = Reaction::none;
+    Coordinate near;          // units, > 0
+    Coordinate keep;          // follow: between the middles
+    double alertSpeed = 1.0;  // units per second, > 0
+    int calmSteps = 0;
+    bool solid = false;  // does not walk into others that are, nor into the player; see crowd.h
+    int path = -1;       // index into MovingObjects::paths
+    bool loops = true;   // patrol: from the last point to the first; else back along the path
+    // Sprites while it walks, and while it stands alert; its own while it stands calm.
+    std::optional<SpriteId> walking;
+    std::optional<SpriteId> alert;
 
     // Set by startObjects, and by every step.
     Coordinate homeX;  // where it began; for a circle, the centre
@@ -60,23 +89,69 @@ struct ObjectMotion {
     bool back = false;        // pace: on the way back; circle: counterclockwise
     int steps = 0;            // wander: until the next heading; pace: from home
     std::uint32_t phase = 0;  // circle: its angle, in 2^-32 turns, clockwise from the east
+
+    // Of actors only.
+    SpriteId standing = 0;
+    int lookSteps = 0;   // until it looks for the player again
+    int alertSteps = 0;  // until it is calm; 0 while it is
+    GroundPoint seen;    // where the player was last, in its map, while it was alert
+    bool isWalking = false;
+    int point = 0;      // patrol: of the path, that it walks to
+    int waitSteps = 0;  // patrol: at a point
+    int liftSteps = 0;  // patrol: for which it has waited for a lift
+    int blockedSteps = 0;
+    int detours = 0;      // since it last came nearer
+    int detourSteps = 0;  // of the present one, until it ends
+    int crowdSteps = 0;   // for which others have been in its way
+    int crowdBody = -1;   // index into MovingObjects::crowd, of the present step
+    int veer = 0;         // flee: eighths of a turn off the straight way
+    int veerSteps = 0;    // flee: until it runs straight again
+
+    // True for those that need more than the first three ways to move. The others keep the states
+    // that they have always had.
+    bool isActor() const {
+        return kind > Kind::circle || reaction != Reaction::none || solid || walking || alert;
+    }
+};
+
+// A point of a path. Its map need not be the one before: the way leads through the nearest portal.
+struct PathPoint {
+    int map = 0;
+    GroundPoint place;
+    std::optional<Coordinate> feet;  // reached only at this height: waits for a lift
+    int waitSteps = 0;
+};
+
+// A body among others, see crowd.h.
+struct CrowdBody {
+    int map = 0;
+    int motion = -1;  // index into the motions; -1 is the player
+    Coordinate x;
+    Coordinate y;
+    Coordinate half;
+    Coordinate bottom;
+    Coordinate top;
+    int tileX = 0;  // where it was when it was listed
+    int tileY = 0;
+    int next = -1;  // in the same cell
 };
 
 // The moving objects of a world, and their initial states.
 struct MovingObjects {
     std::vector<ObjectMotion> motions;
     std::vector<ObjectMotion> motionsAtStart;
-    std::vector<std::vector<Object>> objectsAtStart;  // by map; empty if nothing moves
+    std::vector<std::vector<Object>> objectsAtStart;  // by map; empty if nothing moves or is found
+    std::vector<std::vector<PathPoint>> paths;
+    bool anySolid = false;
+    std::vector<CrowdBody> crowd;  // of the present step
+    std::vector<int> crowdCells;
 };
+
+// How often an actor looks for the player.
+inline constexpr int kLookSteps = 12;
 
 // The space of an object's body.
 Box objectBody(const Object& object);
-
-// A place on a map.
-struct GroundPoint {
-    Coordinate x;
-    Coordinate y;
-};
 
 // Where an object starts that was placed at `put`: there, or on its circle around it.
 GroundPoint beginning(const ObjectMotion& motion, GroundPoint put);
@@ -85,7 +160,8 @@ GroundPoint beginning(const ObjectMotion& motion, GroundPoint put);
 // states.
 void startObjects(World& world);
 
-void stepObjects(World& world);
+// Without a player nobody is alert.
+void stepObjects(World& world, const Body* player = nullptr);
 
 void resetObjects(World& world);
 

@@ -462,6 +462,13 @@ void stepPlayer(const World& world, Player& player, const PlayerInput& input) {
     easeEye(world, player);
 }
 
+void nudge(const World& world, Player& player, Coordinate x, Coordinate y) {
+    Traveller body = travellerOf(player);
+    if (!isFree(world, body)) return;
+    slide(world, body, x, y, player.onGround ? kStepHeight : Coordinate{0});
+    put(player, body);
+}
+
 void setFlying(const World& world, Player& player, bool flying) {
     if (flying == player.flying) return;
     const bool isFreeNow = isFree(world, travellerOf(player));

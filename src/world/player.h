@@ -174,6 +174,9 @@ Player playerWithEye(int map, Coordinate x, Coordinate y, Coordinate eyeZ, doubl
 // One step of kStepSeconds.
 void stepPlayer(const World& world, Player& player, const PlayerInput& input);
 
+// Moves the body sideways, as far as there is room; its velocity stays.
+void nudge(const World& world, Player& player, Coordinate x, Coordinate y);
+
 // Changes the mode; the eye stays where it is. A body that is not free keeps flying.
 void setFlying(const World& world, Player& player, bool flying);
 

@@ -1,9 +1,11 @@
 // Sprites: the pictures of objects, of any size up to kMaxSpriteSide a side, with levels of detail.
 // Like those of textures, each level is made from the one before, 2 x 2 texels at a time, but only
-// while both sides are even. A sheet has frames side by side.
+// while both sides are even. A sheet has frames side by side, and may have four rows: the front,
+// the right side, the back and the left side.
 #pragma once
 
 #include "base/image.h"
+#include "world/object.h"
 #include "world/texel_runs.h"
 
 #include <string>
@@ -20,13 +22,16 @@ struct SpriteLevel {
 
 struct Sprite {
     std::string name;
-    std::vector<std::vector<SpriteLevel>> frames;
+    std::vector<std::vector<SpriteLevel>> frames;  // row after row
     double rate = 0.0;  // frames per second, repeating; 0 for a single frame
+    int views = 1;      // rows: 1 or kViews
 
-    // The frame shown at a time: floor(seconds * rate) modulo the number of frames.
-    const std::vector<SpriteLevel>& levelsAt(double seconds) const;
+    // The frame shown at a time in a row: floor(seconds * rate) modulo the frames of a row.
+    const std::vector<SpriteLevel>& levelsAt(double seconds,
+                                             ObjectSide view = ObjectSide::front) const;
 };
 
-Sprite makeSprite(std::string name, const Image& image, int frames = 1, double rate = 0.0);
+Sprite makeSprite(std::string name, const Image& image, int frames = 1, double rate = 0.0,
+                  int views = 1);
 
 }  // namespace slicecast

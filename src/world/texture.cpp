@@ -12,8 +12,8 @@ namespace {
 std::vector<TextureLevel> levelsOf(const Image& sheet, int frame, bool seeThrough) {
     std::vector<TextureLevel> levels;
     for (int size = sheet.height; size >= 1; size /= 2) {
-        std::vector<Pixel> texels =
-            levels.empty() ? columnsOf(sheet, frame, size) : halved(levels.back().texels, 2 * size);
+        std::vector<Pixel> texels = levels.empty() ? columnsOf(sheet, frame, size, 0, sheet.height)
+                                                   : halved(levels.back().texels, 2 * size);
         TexelRuns runs = seeThrough ? TexelRuns(texels, size) : TexelRuns();
         levels.push_back({size, std::countr_zero(static_cast<unsigned>(size)), std::move(texels),
                           std::move(runs)});
@@ -65,15 +65,16 @@ Pixel mean(const Pixel (&four)[4]) {
 
 }  // namespace
 
-std::vector<Pixel> columnsOf(const Image& sheet, int frame, int width) {
-    std::vector<Pixel> columns = firstOf(
-        sheet.pixels, static_cast<std::size_t>(width) * static_cast<std::size_t>(sheet.height));
-    for (int y = 0; y < sheet.height; ++y) {
+std::vector<Pixel> columnsOf(const Image& sheet, int frame, int width, int top, int height) {
+    std::vector<Pixel> columns =
+        firstOf(sheet.pixels, static_cast<std::size_t>(width) * static_cast<std::size_t>(height));
+    for (int y = 0; y < height; ++y) {
         const Pixel* row =
-            &sheet.pixels[static_cast<std::size_t>(y) * static_cast<std::size_t>(sheet.width) +
-                          static_cast<std::size_t>(frame * width)];
+            &sheet
+                 .pixels[static_cast<std::size_t>(top + y) * static_cast<std::size_t>(sheet.width) +
+                         static_cast<std::size_t>(frame * width)];
         Pixel* out = columns.data() + y;
-        for (int x = 0; x < width; ++x, out += sheet.height) *out = row[x];
+        for (int x = 0; x < width; ++x, out += height) *out = row[x];
     }
     return columns;
 }

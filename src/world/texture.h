@@ -48,8 +48,8 @@ struct Texture {
     }
 };
 
-// The columns of a sheet's frame, `width` pixels wide.
-std::vector<Pixel> columnsOf(const Image& sheet, int frame, int width);
+// The columns of a sheet's frame, `width` pixels wide; of its rows those from `top` on.
+std::vector<Pixel> columnsOf(const Image& sheet, int frame, int width, int top, int height);
 
 // The next level of detail of columns of `height` texels; both sides must be even.
 std::vector<Pixel> halved(const std::vector<Pixel>& columns, int height);

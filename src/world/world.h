@@ -10,6 +10,7 @@
 #include "world/mover.h"
 #include "world/object_motion.h"
 #include "world/portal.h"
+#include "world/quest.h"
 #include "world/sprite.h"
 #include "world/texture.h"
 
@@ -52,6 +53,7 @@ struct World {
     std::vector<GateKind> gateKinds;
     std::vector<Gate> gates;            // see makeGates
     std::vector<Encounter> encounters;  // of the present step, see findEncounters
+    Quest quest;
     Start start;
     double seconds = 0.0;   // since the world began; drives animated textures
     bool hasPlans = false;  // a blueprint fills only a part of its tile; set by markPlans

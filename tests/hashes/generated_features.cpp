@@ -1,5 +1,7 @@
 #include "generated_features.h"
 
+#include "base/angle.h"
+
 #include <algorithm>
 #include <cstdlib>
 #include <string>
@@ -107,8 +109,10 @@ void addObjects(Random& random, World& world) {
     for (int i = 0; i < 3; ++i) {
         const int frames = random.between(1, 3);
         const int height = random.between(5, 40);
+        const int views = i == 2 ? kViews : 1;
         world.sprites.push_back(makeSprite("figure " + std::to_string(i),
-                                           anyImage(random, 16 * frames, height), frames, 4.0));
+                                           anyImage(random, 16 * frames, height * views), frames,
+                                           4.0, views));
     }
     for (int m = 0; m < static_cast<int>(world.maps.size()); ++m) {
         Map& map = world.maps[static_cast<std::size_t>(m)];
@@ -124,6 +128,11 @@ void addObjects(Random& random, World& world) {
             object.height = {random.between(4096, 2 * 65536)};
             object.light = random.unit();
             object.glow = random.oneIn(5);
+            // Its own numbers, so that what follows stays as it was
+            Random own(static_cast<std::uint64_t>(object.x.raw));
+            const double heading = own.between(0.0, 360.0);
+            object.facingX = toCoordinate(cosDegrees(heading));
+            object.facingY = toCoordinate(sinDegrees(heading));
             map.objects.push_back(object);
             if (!random.oneIn(3)) continue;
             ObjectMotion motion;

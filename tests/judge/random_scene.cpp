@@ -1,5 +1,6 @@
 #include "random_scene.h"
 
+#include "base/angle.h"
 #include "base/random.h"
 #include "random_portals.h"
 
@@ -145,27 +146,31 @@ Map randomMap(Random& random, const World& world, bool fineTextures, bool coarse
     return map;
 }
 
-// A sprite of any size, coded like the textures, with holes and blended texels.
+// A sprite of any size, coded like the textures, with holes and blended texels. Every third one has
+// four views.
 Sprite codedSprite(Random& random, int index) {
     // Most have levels of detail, which takes even sides.
     const int width = random.oneIn(4) ? random.between(1, 8) : 8;
     const int height = random.oneIn(4) ? random.between(1, 8) : 8;
     const int frames = random.oneIn(3) ? 2 : 1;
-    Image image(width * frames, height);
-    for (int y = 0; y < height; ++y) {
+    const int views = index % 3 == 2 ? kViews : 1;
+    Image image(width * frames, height * views);
+    for (int row = 0; row < image.height; ++row) {
+        const int y = row % height;
+        const int view = row / height;
         for (int column = 0; column < image.width; ++column) {
             const int x = column % width;
             const int alpha = (x + 2 * y + index) % 4 == 0 ? 0
                               : (x + y) % 3 == 0           ? 60 + x * 15 + y * 9
                                                            : 255;
-            image.at(column, y) =
-                toPixel({static_cast<std::uint8_t>(70 + 24 * index + 12 * (column / width)),
-                         static_cast<std::uint8_t>(20 + x * 30),
-                         static_cast<std::uint8_t>(20 + y * 30), static_cast<std::uint8_t>(alpha)});
+            image.at(column, row) = toPixel(
+                {static_cast<std::uint8_t>(70 + 24 * index + 12 * (column / width) + 3 * view),
+                 static_cast<std::uint8_t>(20 + x * 30), static_cast<std::uint8_t>(20 + y * 30),
+                 static_cast<std::uint8_t>(alpha)});
         }
     }
     return makeSprite("coded " + std::to_string(index), std::move(image), frames,
-                      random.between(0.5, 20.0));
+                      random.between(0.5, 20.0), views);
 }
 
 constexpr int kSprites = 6;
@@ -188,6 +193,11 @@ void addObjects(Random& random, Map& map, bool coarse) {
         object.height = {random.between(2000, 3 * 65536)};
         object.light = random.between(0.5, 1.0);
         object.glow = random.oneIn(6);
+        // Its own numbers, so that what follows stays as it was
+        Random own(static_cast<std::uint64_t>(object.x.raw));
+        const double heading = coarse ? 45.0 * own.below(8) : own.between(0.0, 360.0);
+        object.facingX = toCoordinate(cosDegrees(heading));
+        object.facingY = toCoordinate(sinDegrees(heading));
         map.objects.push_back(object);
     }
 }

@@ -38,6 +38,7 @@ struct View {
 struct Sight {
     enum class Kind : std::uint8_t { side, roof, underside, floor, ceiling, sky, haze, object };
     Kind kind = Kind::sky;
+    std::size_t side = 0;            // object: the row of its sprite
     Face face = Face::top;           // side, roof, underside
     bool fromInside = false;         // the ray left the block through this face
     bool outsideGrid = false;        // floor
@@ -165,9 +166,9 @@ private:
     double distance_;
     double forwardX_;
     double forwardY_;
-    std::vector<std::vector<Image>> levels_;                    // of each texture
-    std::vector<std::vector<Image>> spriteLevels_;              // of each sprite
-    mutable std::vector<std::unique_ptr<LightTracer>> lights_;  // of each map, when asked for
+    std::vector<std::vector<Image>> levels_;                     // of each texture
+    std::vector<std::vector<std::vector<Image>>> spriteLevels_;  // of each row of each sprite
+    mutable std::vector<std::unique_ptr<LightTracer>> lights_;   // of each map, when asked for
 };
 
 }  // namespace slicecast::judge

@@ -82,13 +82,20 @@ Tracer::Tracer(const World& world, const View& view) : world_(world), view_(view
         levels_.push_back(levelsOf(shown.texels, shown.size, shown.size));
     }
     for (const Sprite& sprite : world.sprites) {
-        const SpriteLevel& shown = sprite.frames[frameOf(sprite.frames.size(), sprite.rate)][0];
-        spriteLevels_.push_back(levelsOf(shown.texels, shown.width, shown.height));
+        const auto rows = static_cast<std::size_t>(sprite.views);
+        const std::size_t frames = sprite.frames.size() / rows;
+        spriteLevels_.emplace_back();
+        for (std::size_t row = 0; row < rows; ++row) {
+            const SpriteLevel& shown =
+                sprite.frames[row * frames + frameOf(frames, sprite.rate)][0];
+            spriteLevels_.back().push_back(levelsOf(shown.texels, shown.width, shown.height));
+        }
     }
 }
 
 const std::vector<Image>& Tracer::levelsOf(const Sight& sight) const {
-    return (sight.kind == Sight::Kind::object ? spriteLevels_ : levels_)[sight.texture];
+    return sight.kind == Sight::Kind::object ? spriteLevels_[sight.texture][sight.side]
+                                             : levels_[sight.texture];
 }
 
 int Tracer::level(const Sight& sight, double depthFactor) const {

@@ -229,6 +229,17 @@ void Tracer::Walk::addObjects() {
             sight.leaves = leaves_;
             sight.seeThrough = true;
             sight.texture = object.sprite;
+            if (tracer_.world_.sprites[object.sprite].views > 1) {
+                // Exact: products of whole numbers of 1/65536
+                const Point facing = Place::turned(
+                    Point{object.facingX.value(), object.facingY.value()}, 4 - stretch.place.turn);
+                const double ahead = -(facing.x * dx + facing.y * dy);
+                const double right = facing.y * dx - facing.x * dy;
+                sight.side = ahead >= std::abs(right)    ? 0
+                             : -ahead >= std::abs(right) ? 2
+                             : right > 0.0               ? 1
+                                                         : 3;
+            }
             sight.faceLight = object.light;
             sight.glow = object.glow;
             sight.along = along;

@@ -179,6 +179,8 @@ Verdict judge(const World& world, const View& view, const Pixel* pixels, int pit
                     (sight.mirror > 0) << 11 | tracer.level(sight) << 12 |
                     (sight.texture & 0xff) << 16 | sight.map << 24);
                 if (sight.glow) ++verdict.coverage["glow"];
+                if (sight.side > 0)
+                    ++verdict.coverage["object's side " + std::to_string(sight.side)];
                 if (tracer.isLit(sight))
                     ++verdict.coverage[std::string("lit ") + kKinds[static_cast<int>(sight.kind)]];
                 if (sight.kind != Sight::Kind::object && sight.texture != kNoTexture &&

@@ -27,7 +27,7 @@ export const kMaterials = [
   'cloth',
   'water',
 ];
-export const kOnce = ['step', 'land', 'jump', 'splash', 'stroke', 'knock', 'crossing'];
+export const kOnce = ['step', 'land', 'jump', 'splash', 'stroke', 'knock', 'crossing', 'find', 'goal'];
 export const kLasting = ['gate', 'mover', 'water', 'wind', 'submerged'];
 
 const noise = (filter, hertz, gain, decay, more = {}) => ({
@@ -137,6 +137,20 @@ const kOnceRecipes = {
     tone(220, 0.1, 0.6, { to: 440, attack: 0.1 }),
     tone(330, 0.07, 0.6, { to: 660, attack: 0.12 }),
   ],
+  // Two bells, a fifth apart; and three that rise to the octave.
+  find: () => [
+    tone(880, 0.16, 0.7),
+    tone(1760, 0.05, 0.4),
+    tone(1320, 0.14, 0.9, { delay: 0.11 }),
+    tone(2640, 0.04, 0.5, { delay: 0.11 }),
+  ],
+  goal: () => [
+    tone(587, 0.15, 0.9),
+    tone(880, 0.14, 1, { delay: 0.16 }),
+    tone(1174, 0.15, 1.6, { delay: 0.34 }),
+    tone(1480, 0.08, 1.6, { delay: 0.34 }),
+    tone(2348, 0.04, 1, { delay: 0.34 }),
+  ],
 };
 
 export function onceRecipe(kind, material) {
@@ -224,6 +238,8 @@ export const kLevels = {
   stroke: 0.8,
   knock: 0.8,
   crossing: 0.8,
+  find: 0.7,
+  goal: 0.8,
   gate: 0.5,
   mover: 0.45,
   water: 0.4,

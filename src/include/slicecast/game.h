@@ -93,6 +93,33 @@ struct ScreenPoint {
     double depth = 0.0;  // straight ahead, units
 };
 
+// The finds of one name.
+struct FindCount {
+    std::string name;
+    int taken = 0;
+    int of = 0;  // in the scene
+};
+
+// The game of a scene, see "game" in its file: what is to be found and reached.
+struct GameProgress {
+    std::string aim;  // for the player; may be empty, as all may be
+    int taken = 0;    // finds
+    int of = 0;
+    std::vector<FindCount> finds;
+    bool hasGoal = false;
+    bool isReached = false;
+    std::int64_t steps = 0;  // of 1/120 s, from the first input to the goal
+};
+
+// What has happened: a message, a find taken, the goal reached.
+struct GameNews {
+    enum class Kind : std::uint8_t { message, find, goal };
+    Kind kind = Kind::message;
+    std::string text;  // for the player; may be empty for finds and the goal
+    std::string name;  // of a find
+    int taken = 0;     // finds until then
+};
+
 class Game {
 public:
     // The player stands at the start of the scene. `scene` must not have been moved from.
@@ -150,6 +177,12 @@ public:
     // what lasts now, one of each kind. Call it once for each picture, and make the
     // sounds by whatever means; the library makes none. The first call begins to listen.
     std::vector<Sound> hear();
+
+    // The scene's game, and how far the player is.
+    GameProgress progress() const;
+
+    // What has happened in it since the last call, oldest first; the first 64 if it is long ago.
+    std::vector<GameNews> takeNews();
 
     // Where a point of the player's map (units) appears in a picture of this size, hidden or not.
     // Nothing for a point that is not in front of the eye, and if there is no such picture.

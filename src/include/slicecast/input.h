@@ -18,6 +18,8 @@ struct Input {
     bool use = false;          // held; one press opens or closes the gates within reach
     bool open = false;         // one press opens the gates within reach
     bool close = false;        // one press closes them
+
+    friend bool operator==(const Input&, const Input&) = default;
 };
 
 }  // namespace slicecast

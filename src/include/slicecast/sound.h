@@ -28,6 +28,8 @@ enum class SoundKind : std::uint8_t {
     stroke,    // a stroke of swimming
     knock,     // a gate is all open, or shut
     crossing,  // the player goes through a portal
+    find,      // the player takes a find
+    goal,      // the game's goal is reached
 
     // Heard while they last, each as loud as the nearest of its kind
     gate,      // gates that open or close

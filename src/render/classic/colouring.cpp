@@ -59,6 +59,7 @@ Shown Colouring::ofSurface(const Surface& surface, double y) const {
     }
     if (surface.what == FilledRows::What::object) {
         texel.u = surface.u;
+        texel.side = surface.side;
     } else {
         if (surface.face == Face::east || surface.face == Face::west) texel.u = south;
         texel.uReversed = !classic_.mirroredTextures &&
@@ -135,7 +136,8 @@ Shown Colouring::shown(FilledRows::What what, const Texel& at) const {
         return levels[static_cast<std::size_t>(detail)];
     };
     if (what == FilledRows::What::object) {
-        const SpriteLevel& level = use(world_.sprites[at.texture].levelsAt(world_.seconds));
+        const SpriteLevel& level =
+            use(world_.sprites[at.texture].levelsAt(world_.seconds, at.side));
         width = level.width;
         height = level.height;
         texels = level.texels.data();

@@ -48,7 +48,8 @@ private:
         bool vReversed = false;  // counted from the bottom
         double light = 1.0;
         bool glow = false;
-        bool plain = false;  // shows its texture's average colour
+        bool plain = false;                   // shows its texture's average colour
+        ObjectSide side = ObjectSide::front;  // of a sprite
     };
 
     int mirrorStrength(int strength) const;

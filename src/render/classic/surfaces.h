@@ -48,9 +48,10 @@ struct Surface {
     double height = 0.0;      // of horizontal planes, units
     double textureTop = 0.0;  // of upright things: heights of the texture's ends
     double textureBottom = 0.0;
-    double textureRise = 0.0;    // see CellBlueprint
-    double stretch = 1.0;        // of objects: factor from the row's slope to units of height
-    double u = 0.0;              // of objects: from the left of the sprite, 0 to 1
+    double textureRise = 0.0;  // see CellBlueprint
+    double stretch = 1.0;      // of objects: factor from the row's slope to units of height
+    double u = 0.0;            // of objects: from the left of the sprite, 0 to 1
+    ObjectSide side = ObjectSide::front;  // of objects: turned to the eye
     double thingDistance = 0.0;  // squared, from the eye to the middle of the block, ceiling tile
                                  // or object; sorts painter's order
 

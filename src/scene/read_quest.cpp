@@ -1,0 +1,248 @@
+// Finds, messages and the game of a scene.
+#include "scene/limits.h"
+#include "scene/readers.h"
+#include "world/collision.h"
+#include "world/player.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace slicecast {
+namespace {
+
+constexpr NumberRange kNoticeNear = {0.0, kFarthestNotice, false,
+                                     "a number from 0 to 32, in units"};
+constexpr NumberRange kTile = {0.0, 4095.0, false, "a whole number of a tile, from 0 to 4095"};
+constexpr NumberRange kTiles = {1.0, 4096.0, false, "a whole number of tiles, from 1 to 4096"};
+constexpr NumberRange kAreaHeight = {0.0, kMaxHeight, false, "a number from 0 to 1000"};
+constexpr NumberRange kCount = {1.0, static_cast<double>(kMaxFinds), false,
+                                "a whole number of finds, from 1 to 1024"};
+static_assert(kFarthestNotice == 32.0 && kMaxFinds == 1024 && kMaxMapWidth == 4096 &&
+                  kMaxHeight == 1000.0,
+              "as the words say");
+
+constexpr Coordinate kUsualNear = toCoordinate(1.5);
+
+std::string readMessage(Checker& checker, JsonValue value) {
+    return checker
+        .text(value, kMaxMessageLength, {"a message of 1 to ", kMaxMessageLength, " characters"})
+        .value_or("");
+}
+
+bool hasRoomForNotice(Reading& reading, JsonValue value) {
+    if (reading.description.world.quest.notices.size() < kMaxNotices) return true;
+    reading.checker.add(value, {"more than ", kMaxNotices, " messages"},
+                        {"at most ", kMaxNotices, " in a scene"});
+    return false;
+}
+
+// { "x", "y", "width", "depth", "bottom", "top" }: tiles of a map.
+Box readArea(const Fields& fields) {
+    for (const char* key : {"x", "y"}) fields.require(key, kTile.words);
+    const int x = fields.wholeNumber("x", kTile, 0);
+    const int y = fields.wholeNumber("y", kTile, 0);
+    const int width = fields.wholeNumber("width", kTiles, 1);
+    const int depth = fields.wholeNumber("depth", kTiles, 1);
+    return {tileEdge(x),
+            tileEdge(x + width),
+            tileEdge(y),
+            tileEdge(y + depth),
+            toCoordinate(fields.number("bottom", kAreaHeight, 0.0)),
+            toCoordinate(fields.number("top", kAreaHeight, kMaxHeight))};
+}
+
+// True if a crouched player fits somewhere in the area: it tries the middle of each tile, from half
+// a level to the next.
+bool hasRoomIn(const World& world, int map, const Box& area) {
+    const Coordinate half = {32768};
+    const Map& grid = world.maps[static_cast<std::size_t>(map)];
+    const Coordinate top = std::min(area.top, tileEdge(grid.levels));
+    for (int y = area.north.tile(); y < area.south.tile(); ++y) {
+        for (int x = area.west.tile(); x < area.east.tile(); ++x) {
+            for (Coordinate z = area.bottom; z == area.bottom || z < top; z = z + half) {
+                if (isFree(world, map,
+                           bodyBox(tileEdge(x) + half, tileEdge(y) + half, z, kCrouchedHeight)))
+                    return true;
+            }
+        }
+    }
+    return false;
+}
+
+void checkArea(Reading& reading, JsonValue value, int map, const Box& area, const char* what) {
+    const Map& grid = reading.description.world.maps[static_cast<std::size_t>(map)];
+    if (area.east > tileEdge(grid.width) || area.south > tileEdge(grid.depth)) {
+        reading.checker.add(value, {what, " beyond the edge of the map"},
+                            {"tiles with x below ", grid.width, " and y below ", grid.depth});
+    } else if (!hasRoomIn(reading.description.world, map, area)) {
+        reading.checker.warn(value, {what, " where the player has no room"},
+                             "a tile that the player can enter");
+    }
+}
+
+// A number of finds, the name of a kind, or a list of names.
+Needs readNeeds(Reading& reading, JsonValue value) {
+    Checker& checker = reading.checker;
+    Needs needs;
+    const auto add = [&](JsonValue name) {
+        if (const auto kind = checker.name(name, reading.findKinds, "find"))
+            needs.kinds.push_back(*kind);
+    };
+    if (value.kind() == JsonValue::Kind::number) {
+        needs.any = checker.wholeNumber(value, kCount).value_or(0);
+    } else if (value.isText()) {
+        add(value);
+    } else if (value.isArray() && value.count() > 0 && value.count() <= kMaxFinds) {
+        for (const JsonValue name : value) add(name);
+    } else {
+        checker.refuse(value, "a number of finds, the name of a find, or an array of names");
+    }
+    return needs;
+}
+
+// Warns of needs that nobody can meet.
+void checkNeeds(Reading& reading, JsonValue value, const Needs& needs) {
+    const Quest& quest = reading.description.world.quest;
+    const auto finds = static_cast<int>(quest.finds.size());
+    if (needs.any > finds) {
+        reading.checker.warn(value, {"a need of ", Counted{needs.any, "find"}},
+                             {"at most ", finds, ", as many as there are"});
+    }
+    for (const std::uint16_t kind : needs.kinds) {
+        const auto wanted = std::count(needs.kinds.begin(), needs.kinds.end(), kind);
+        const auto there = std::count_if(quest.finds.begin(), quest.finds.end(),
+                                         [kind](const Find& find) { return find.kind == kind; });
+        if (wanted <= there) continue;
+        reading.checker.warn(
+            value,
+            {"a need of ", Counted{wanted, "find"}, " named ", quoted(quest.kinds[kind].name)},
+            {"at most ", there, ", as many as there are"});
+        return;
+    }
+}
+
+// { "aim", "needs", "at", "message" }
+void readGame(Reading& reading, JsonValue value) {
+    Checker& checker = reading.checker;
+    const auto fields = checker.fields(value, {"aim", "needs", "at", "message"},
+                                       "a game: an object, for example with \"aim\"");
+    if (!fields) return;
+    Quest& quest = reading.description.world.quest;
+    if (const auto aim = fields->require("aim", "what the player is to do"))
+        quest.aim = readMessage(checker, *aim);
+    Goal goal;
+    goal.needs.any = static_cast<int>(quest.finds.size());
+    if (const auto needs = fields->find("needs")) {
+        goal.needs = readNeeds(reading, *needs);
+        if (checker.count() == 0) checkNeeds(reading, *needs, goal.needs);
+    }
+    if (const auto message = fields->find("message")) goal.message = readMessage(checker, *message);
+    if (const auto at = fields->find("at")) {
+        const auto place = checker.fields(*at, {"map", "x", "y", "width", "depth", "bottom", "top"},
+                                          "tiles of a map: an object with \"x\" and \"y\"");
+        if (!place) return;
+        goal.map = reading.description.world.start.map;
+        if (const auto map = place->find("map"))
+            goal.map = checker.name(*map, reading.maps, "map").value_or(0);
+        goal.area = readArea(*place);
+        if (checker.count() == 0) checkArea(reading, *at, *goal.map, goal.area, "a goal");
+    }
+    if (!goal.needs.none() || goal.map) quest.goal = goal;
+}
+
+}  // namespace
+
+void readFind(Reading& reading, JsonValue value, int object) {
+    Checker& checker = reading.checker;
+    Quest& quest = reading.description.world.quest;
+    if (quest.finds.size() == kMaxFinds) {
+        checker.add(value, {"more than ", kMaxFinds, " finds"},
+                    {"at most ", kMaxFinds, " in a scene"});
+        return;
+    }
+    Find find;
+    find.map = static_cast<int>(reading.description.world.maps.size());
+    find.object = object;
+    std::optional<JsonValue> kind = value;
+    if (!value.isText()) {
+        const auto fields = checker.fields(value, {"kind", "message"},
+                                           "a find: its name, or an object with \"kind\"");
+        if (!fields) return;
+        const auto named = fields->require("kind", "the find's name");
+        if (const auto message = fields->find("message"))
+            find.message = readMessage(checker, *message);
+        if (!named) return;
+        kind = *named;
+    }
+    const auto name = checker.text(*kind, kMaxNameLength, "the find's name");
+    if (!name) return;
+    const auto known = reading.findKinds.find(*name);
+    find.kind = known.value_or(static_cast<std::uint16_t>(quest.kinds.size()));
+    if (!known) {
+        quest.kinds.push_back({.name = *name});
+        reading.findKinds.add(kind->text(), find.kind);
+    }
+    quest.finds.push_back(std::move(find));
+}
+
+void readObjectMessage(Reading& reading, JsonValue value, int object) {
+    if (!hasRoomForNotice(reading, value)) return;
+    Checker& checker = reading.checker;
+    Notice notice;
+    notice.map = static_cast<int>(reading.description.world.maps.size());
+    notice.object = object;
+    notice.near = kUsualNear;
+    if (value.isText()) {
+        notice.text = readMessage(checker, value);
+    } else {
+        const auto fields = checker.fields(value, {"text", "near", "once"},
+                                           "a message: its text, or an object with \"text\"");
+        if (!fields) return;
+        if (const auto text = fields->require("text", "the message"))
+            notice.text = readMessage(checker, *text);
+        notice.near = toCoordinate(fields->number("near", kNoticeNear, kUsualNear.value()));
+        notice.once = fields->flag("once", false);
+    }
+    reading.description.world.quest.notices.push_back(std::move(notice));
+}
+
+void readMessages(Reading& reading, JsonValue value) {
+    Checker& checker = reading.checker;
+    if (!value.isArray()) {
+        checker.refuse(value, "an array of messages");
+        return;
+    }
+    for (const JsonValue element : value) {
+        if (!hasRoomForNotice(reading, element)) return;
+        const auto fields = checker.fields(
+            element, {"text", "x", "y", "width", "depth", "bottom", "top", "near", "once"},
+            "a message: an object with \"text\", \"x\" and \"y\"");
+        if (!fields) continue;
+        Notice notice;
+        notice.map = static_cast<int>(reading.description.world.maps.size());
+        if (const auto text = fields->require("text", "the message"))
+            notice.text = readMessage(checker, *text);
+        notice.area = readArea(*fields);
+        notice.near = toCoordinate(fields->number("near", kNoticeNear, 0.0));
+        notice.once = fields->flag("once", false);
+        reading.placedNotices.push_back({element, reading.description.world.quest.notices.size()});
+        reading.description.world.quest.notices.push_back(std::move(notice));
+    }
+}
+
+void placeQuest(Reading& reading, FoundValue game) {
+    World& world = reading.description.world;
+    for (const PlacedNeeds& placed : reading.needs) {
+        GateKind& kind = world.gateKinds[static_cast<std::size_t>(placed.gate)];
+        kind.needs = readNeeds(reading, placed.value);
+        if (reading.checker.count() == 0) checkNeeds(reading, placed.value, kind.needs);
+    }
+    if (game) readGame(reading, *game);
+    if (reading.checker.count() != 0) return;
+    for (const PlacedNotice& placed : reading.placedNotices) {
+        const Notice& notice = world.quest.notices[placed.notice];
+        checkArea(reading, placed.value, notice.map, notice.area, "a message");
+    }
+}
+
+}  // namespace slicecast

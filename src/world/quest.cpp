@@ -1,0 +1,185 @@
+#include "world/quest.h"
+
+#include "base/hash.h"
+#include "base/words.h"
+#include "world/gate.h"
+#include "world/line_of_sight.h"
+#include "world/player.h"
+#include "world/world.h"
+
+#include <algorithm>
+
+namespace slicecast {
+namespace {
+
+// A notice is shown again only after the player has been this much further away.
+constexpr Coordinate kAway = toCoordinate(0.5);
+
+void tell(Quest& quest, QuestNews::Kind kind, const std::string& text, std::string name = {}) {
+    quest.news.push_back(
+        {.kind = kind, .text = text, .name = std::move(name), .taken = quest.taken});
+}
+
+const Object& objectOf(const World& world, int map, int object) {
+    return world.maps[static_cast<std::size_t>(map)].objects[static_cast<std::size_t>(object)];
+}
+
+// Removes an object from its map; what moves it goes too.
+void removeObject(World& world, int map, int object) {
+    std::vector<Object>& objects = world.maps[static_cast<std::size_t>(map)].objects;
+    objects.erase(objects.begin() + object);
+    std::vector<ObjectMotion>& motions = world.movingObjects.motions;
+    std::erase_if(motions, [&](const ObjectMotion& motion) {
+        return motion.map == map && motion.object == object;
+    });
+    const auto close = [&](auto& other) {
+        if (other.map != map || other.object < object) return;
+        other.object = other.object == object ? -1 : other.object - 1;
+    };
+    for (ObjectMotion& motion : motions) close(motion);
+    eachReference(world.quest, close);
+}
+
+void take(World& world, int index) {
+    Quest& quest = world.quest;
+    Find& find = quest.finds[static_cast<std::size_t>(index)];
+    // Its notice goes with it; -1 would make it an area
+    std::erase_if(quest.notices, [&](const Notice& notice) {
+        return notice.map == find.map && notice.object == find.object;
+    });
+    removeObject(world, find.map, find.object);
+    ++quest.taken;
+    ++quest.kinds[find.kind].taken;
+    tell(quest, QuestNews::Kind::find, find.message, quest.kinds[find.kind].name);
+}
+
+void takeFinds(World& world, const Player& player, const Box& body) {
+    for (std::size_t i = 0; i < world.quest.finds.size(); ++i) {
+        const Find& find = world.quest.finds[i];
+        if (find.object < 0 || find.map != player.map) continue;
+        if (areWithin(body, objectBody(objectOf(world, find.map, find.object)), {}))
+            take(world, static_cast<int>(i));
+    }
+}
+
+bool isShown(const World& world, const Player& player, const Box& body, const Notice& notice) {
+    if (notice.map != player.map) return false;
+    const Coordinate near = notice.isNear ? notice.near + kAway : notice.near;
+    if (notice.object < 0) return areWithin(body, notice.area, near);
+    const Object& object = objectOf(world, notice.map, notice.object);
+    if (!areWithin(body, objectBody(object), near)) return false;
+    return notice.isNear ||
+           isInSight(world, world.maps[static_cast<std::size_t>(notice.map)],
+                     {player.x.value(), player.y.value(), eyeHeight(player).value()},
+                     {object.x.value(), object.y.value(),
+                      object.z.value() + object.height.value() / 2.0});
+}
+
+void showNotices(World& world, const Player& player, const Box& body) {
+    for (Notice& notice : world.quest.notices) {
+        const bool wasNear = notice.isNear;
+        notice.isNear = isShown(world, player, body, notice);
+        if (!notice.isNear || wasNear || (notice.once && notice.wasShown)) continue;
+        notice.wasShown = true;
+        tell(world.quest, QuestNews::Kind::message, notice.text);
+    }
+}
+
+// Says what is missing at a gate that the player tries.
+void tellRefusals(World& world, const GateAsk& ask, int map, const Box& body) {
+    Quest& quest = world.quest;
+    const bool isAsked = ask.wish == GateAsk::Wish::change || ask.wish == GateAsk::Wish::open;
+    const int before = quest.refusedGate;
+    quest.refusedGate = refusedGate(world, ask, map, body);
+    if (quest.refusedGate < 0 || (quest.refusedGate == before && !isAsked)) return;
+    const Gate& gate = world.gates[static_cast<std::size_t>(quest.refusedGate)];
+    const GateKind& kind = world.gateKinds[static_cast<std::size_t>(gate.kind)];
+    tell(quest, QuestNews::Kind::message,
+         kind.locked.empty() ? words("Still missing: ", missing(quest, kind.needs), ".")
+                             : kind.locked);
+}
+
+void checkGoal(Quest& quest, const Player& player) {
+    if (!quest.goal || quest.isReached || !holds(quest, quest.goal->needs)) return;
+    const Goal& goal = *quest.goal;
+    if (goal.map && (*goal.map != player.map || !areWithin({player.x, player.x, player.y, player.y,
+                                                            player.z, eyeHeight(player)},
+                                                           goal.area, {})))
+        return;
+    quest.isReached = true;
+    tell(quest, QuestNews::Kind::goal, goal.message);
+}
+
+}  // namespace
+
+bool holds(const Quest& quest, const Needs& needs) {
+    if (quest.taken < needs.any) return false;
+    return std::all_of(needs.kinds.begin(), needs.kinds.end(), [&](std::uint16_t kind) {
+        return quest.kinds[kind].taken >= std::count(needs.kinds.begin(), needs.kinds.end(), kind);
+    });
+}
+
+std::string missing(const Quest& quest, const Needs& needs) {
+    std::vector<std::string> parts;
+    if (quest.taken < needs.any)
+        parts.push_back(words(needs.any - quest.taken,
+                              quest.taken + 1 == needs.any ? " more find" : " more finds"));
+    for (std::size_t i = 0; i < needs.kinds.size(); ++i) {
+        const std::uint16_t kind = needs.kinds[i];
+        const auto begin = needs.kinds.begin();
+        // The kind's first mention speaks for all
+        if (std::find(begin, needs.kinds.end(), kind) != begin + static_cast<std::ptrdiff_t>(i))
+            continue;
+        const auto lacking = std::count(begin, needs.kinds.end(), kind) - quest.kinds[kind].taken;
+        if (lacking == 1) parts.push_back(quest.kinds[kind].name);
+        if (lacking > 1) parts.push_back(words(lacking, " ", quest.kinds[kind].name));
+    }
+    std::string text;
+    for (std::size_t i = 0; i < parts.size(); ++i)
+        add(text, {i == 0 ? "" : i + 1 == parts.size() ? " and " : ", ", parts[i]});
+    return text;
+}
+
+void startQuest(World& world) {
+    for (Find& find : world.quest.finds) ++world.quest.kinds[find.kind].count;
+    world.quest.findsAtStart = world.quest.finds;
+    world.quest.noticesAtStart = world.quest.notices;
+}
+
+void stepQuest(World& world, const Player& player, const GateAsk& ask, bool isInput) {
+    Quest& quest = world.quest;
+    if (quest.none()) return;
+    quest.news.clear();
+    quest.hasBegun = quest.hasBegun || isInput;
+    if (quest.hasBegun && !quest.isReached) ++quest.steps;
+    const Box body = bodyBox(player);
+    takeFinds(world, player, body);
+    showNotices(world, player, body);
+    tellRefusals(world, ask, player.map, body);
+    checkGoal(quest, player);
+}
+
+void resetQuest(World& world) {
+    Quest& quest = world.quest;
+    quest.finds = quest.findsAtStart;
+    quest.notices = quest.noticesAtStart;
+    for (FindKind& kind : quest.kinds) kind.taken = 0;
+    quest.taken = 0;
+    quest.hasBegun = quest.isReached = false;
+    quest.steps = 0;
+    quest.refusedGate = -1;
+    quest.news.clear();
+}
+
+void addTo(Hash& hash, const Quest& quest) {
+    if (quest.none()) return;
+    for (const std::int64_t number :
+         {std::int64_t{quest.taken}, std::int64_t{quest.hasBegun}, std::int64_t{quest.isReached},
+          quest.steps, std::int64_t{quest.refusedGate}})
+        hash.add(number);
+    for (const Find& find : quest.finds) hash.add(std::int64_t{find.object >= 0});
+    for (const Notice& notice : quest.notices)
+        hash.add(std::int64_t{notice.isNear} + 2 * std::int64_t{notice.wasShown});
+}
+
+}  // namespace slicecast
