@@ -189,6 +189,30 @@ TEST(Library, TellsWhatThePlayerHears) {
     EXPECT_EQ(steps(), 0) << "each sound once";
 }
 
+TEST(Library, TellsHowFarAGameIs) {
+    LoadResult loaded = loadSceneFile(SLICECAST_SOURCE_FOLDER "/assets/scenes/wayhouse-hunt.json");
+    ASSERT_TRUE(loaded.scene.has_value());
+    Game game(std::move(*loaded.scene));
+    const GameProgress before = game.progress();
+    EXPECT_FALSE(before.aim.empty());
+    EXPECT_EQ(before.of, 4);
+    ASSERT_EQ(before.finds.size(), 4u);
+    EXPECT_EQ(before.finds[0].of, 1);
+    EXPECT_TRUE(before.hasGoal);
+    game.step();
+    EXPECT_EQ(game.progress().steps, 0) << "time waits for the first input";
+    for (int step = 0; step < 600; ++step) game.step({.forward = 1.0});
+    EXPECT_EQ(game.progress().steps, 600);
+    game.takeNews();
+    game.step({.use = true});
+    const std::vector<GameNews> news = game.takeNews();
+    ASSERT_EQ(news.size(), 1u);
+    EXPECT_EQ(news[0].kind, GameNews::Kind::message);
+    EXPECT_EQ(news[0].text.substr(0, 17), "The last gate is ");
+    EXPECT_TRUE(game.takeNews().empty());
+    EXPECT_EQ(castle().progress().of, 0);
+}
+
 TEST(Library, SetsOptionsAndCells) {
     Game game = corridor();
     EXPECT_EQ(game.setOption("fov", "90"), "");
@@ -239,10 +263,8 @@ TEST(SceneBuilder, CutsBlocksFromCornerToCorner) {
 // The player walks up a slope, and stands on its upper end.
 TEST(SceneBuilder, LetsTopsRise) {
     Corridor c;
-    const SceneBuilder::Block ramp = c.builder.block({.name = "ramp",
-                                                      .texture = c.grey,
-                                                      .top = 0.5,
-                                                      .rise = SceneBuilder::Rise{Face::east}});
+    const SceneBuilder::Block ramp = c.builder.block(
+        {.name = "ramp", .texture = c.grey, .top = 0.5, .rise = SceneBuilder::Rise{Face::east}});
     c.builder.fill(c.map, {.x = 3, .y = 1}, ramp);
     Game game(std::move(c.build().scene).value());
     const double before = game.camera().z;
@@ -343,9 +365,8 @@ TEST(SceneBuilder, ChecksEveryRange) {
                  c.builder.map({.name = "corridor", .width = 1, .depth = 1, .floor = c.grey});
              }),
              faultOf([](C c) {
-                 c.builder.block({.name = "b",
-                                  .texture = c.grey,
-                                  .rise = SceneBuilder::Rise{Face::top, 0.5}});
+                 c.builder.block(
+                     {.name = "b", .texture = c.grey, .rise = SceneBuilder::Rise{Face::top, 0.5}});
              }),
              faultOf([](C c) {
                  c.builder.block({.name = "b",
@@ -364,9 +385,7 @@ TEST(SceneBuilder, ChecksEveryRange) {
              faultOf([&](C c) { c.builder.light(c.map, {.azimuthDegrees = nan}); }),
              faultOf([](C c) { c.builder.lamp({}, {}); }),
              faultOf([](C c) { c.builder.lamp(c.map, {.x = 8.0, .y = 1.0}); }),
-             faultOf([](C c) {
-                 c.builder.lamp(c.map, {.x = 1.0, .y = 1.0, .radius = 17.0});
-             }),
+             faultOf([](C c) { c.builder.lamp(c.map, {.x = 1.0, .y = 1.0, .radius = 17.0}); }),
              faultOf([&](C c) { c.builder.lamp(c.map, {.x = 1.0, .y = 1.0, .strength = nan}); }),
              faultOf([](C c) { c.builder.fill({}, {}, c.wall); }),
              faultOf([](C c) { c.builder.fill(c.map, {}, {9}); }),

@@ -419,3 +419,22 @@ test('rows are a scene under Node too, with a legend, levels and colours', async
   const own = await load({ rows: '#>#', legend: { '#': 'wall.png' } }, { base: folder });
   own.free();
 });
+
+test('a scene that is a game tells its progress and its news', async () => {
+  const hunt = await load('wayhouse-hunt');
+  assert.equal(hunt.game.of, 4);
+  assert.equal(hunt.game.begun, false);
+  hunt.step(1);
+  assert.equal(hunt.game.steps, 0);
+  hunt.step(600, { forward: 1 });
+  assert.equal(hunt.game.steps, 600);
+  hunt.step(1, { use: true });
+  const [refusal] = hunt.takeNews().slice(-1);
+  assert.equal(refusal.kind, 'message');
+  assert.match(refusal.text, /^The last gate is shut/);
+  assert.deepEqual(hunt.takeNews(), []);
+  hunt.free();
+  const castleScene = await load('castle');
+  assert.equal(castleScene.game, null);
+  castleScene.free();
+});

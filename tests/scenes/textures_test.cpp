@@ -97,6 +97,10 @@ TEST(Sprites, EveryOneOfASceneStandsInIt) {
         for (const Map& map : world.maps) {
             for (const Object& object : map.objects) standing.insert(object.sprite);
         }
+        for (const ObjectMotion& motion : world.movingObjects.motions) {
+            if (motion.walking) standing.insert(*motion.walking);
+            if (motion.alert) standing.insert(*motion.alert);
+        }
         for (std::size_t i = 0; i < world.sprites.size(); ++i) {
             EXPECT_TRUE(standing.count(static_cast<SpriteId>(i)) == 1)
                 << scene << ": " << world.sprites[i].name;

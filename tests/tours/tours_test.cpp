@@ -10,6 +10,7 @@
 #include <iterator>
 #include <set>
 #include <string>
+#include <vector>
 
 namespace slicecast {
 namespace {
@@ -65,6 +66,30 @@ TEST(Tours, LeadWhereTheyLed) {
             EXPECT_TRUE(mark.isSame) << mark.name << kMakeAnew;
         EXPECT_TRUE(replay.isSame()) << kMakeAnew;
     }
+}
+
+// A game that can be won, by walking alone.
+TEST(Tours, TheHuntIsPlayedToItsEnd) {
+    Session session(shippedWorld("wayhouse-hunt"));
+    Replay replay(shippedTour("wayhouse-hunt"));
+    std::vector<std::string> found;
+    int goals = 0;
+    bool wasRefused = false;
+    while (replay.step(session)) {
+        for (const QuestNews& news : session.takeNews()) {
+            EXPECT_EQ(goals, 0) << "the goal comes last";
+            if (news.kind == QuestNews::Kind::find) found.push_back(news.name);
+            goals += news.kind == QuestNews::Kind::goal;
+            wasRefused = wasRefused || news.text.find("is shut") != std::string::npos;
+            EXPECT_FALSE(session.player().flying);
+        }
+    }
+    EXPECT_EQ(found, (std::vector<std::string>{"shell", "lantern", "moonflower", "crystal"}));
+    EXPECT_EQ(goals, 1);
+    EXPECT_TRUE(wasRefused);
+    EXPECT_TRUE(session.world().quest.isReached);
+    EXPECT_GT(session.world().quest.steps, 20 * kStepsPerSecond);
+    EXPECT_LT(session.world().quest.steps, session.steps());
 }
 
 constexpr int kLookEvery = 12;     // steps; ten looks a second

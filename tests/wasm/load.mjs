@@ -90,6 +90,14 @@ export class Session {
     return this.json(this.module._slicecast_state(this.address));
   }
 
+  game() {
+    return this.json(this.module._slicecast_game(this.address));
+  }
+
+  news() {
+    return this.json(this.module._slicecast_news(this.address));
+  }
+
   // The input in the order of slicecast_step.
   step(input, count = 1) {
     for (let i = 0; i < count; ++i) this.module._slicecast_step(this.address, ...input);

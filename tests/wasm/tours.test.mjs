@@ -69,6 +69,32 @@ for (const tour of shippedTours) {
   }
 }
 
+// The same game as natively in tests/tours.
+test('the tour of the hunt finds everything and reaches the goal', async () => {
+  const tour = join(root, 'assets/tours/wayhouse-hunt.txt');
+  const session = new Session(await loadModule('simd'));
+  const { scene, steps } = session.readRecording(readFileSync(tour), tour);
+  assert.deepEqual(session.load(sceneOf(scene)), []);
+  assert.ok(session.replay());
+  assert.deepEqual(
+    (({ finds, of, hasGoal, begun, reached }) => ({ finds, of, hasGoal, begun, reached }))(
+      session.game(),
+    ),
+    { finds: 0, of: 4, hasGoal: true, begun: false, reached: false },
+  );
+  assert.equal(session.replayStep(steps), steps);
+  const news = session.news();
+  assert.deepEqual(
+    news.filter(({ kind }) => kind === 'find').map(({ name, finds }) => `${finds} ${name}`),
+    ['1 shell', '2 lantern', '3 moonflower', '4 crystal'],
+  );
+  assert.equal(news.at(-1).kind, 'goal');
+  assert.deepEqual(session.news(), []);
+  const { finds, reached, steps: taken, seconds } = session.game();
+  assert.deepEqual({ finds, reached, seconds }, { finds: 4, reached: true, seconds: taken / 120 });
+  session.free();
+});
+
 test('a recording can be read and replayed', async () => {
   const session = new Session(await loadModule('simd'));
   assert.equal(session.replay(), false);

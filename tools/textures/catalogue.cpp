@@ -6,6 +6,7 @@
 #include "brickwork.h"
 #include "carving.h"
 #include "cutout.h"
+#include "figures.h"
 #include "foliage.h"
 #include "fountain.h"
 #include "furnishings.h"
@@ -13,6 +14,7 @@
 #include "glazing.h"
 #include "glow.h"
 #include "ground.h"
+#include "keepsakes.h"
 #include "lake.h"
 #include "lettering.h"
 #include "liquids.h"
@@ -261,6 +263,19 @@ std::vector<Entry> sprites() {
         sprite("swan", paintSwan),
         sprite("cypress", paintCypress),
         sprite("fountain", paintFountain, kFountainFrames),
+        sprite("keeper", paintKeeper),
+        sprite("keeper-walking", paintKeeperWalking, kFigureFrames),
+        sprite("guard", paintGuard),
+        sprite("guard-walking", paintGuardWalking, kFigureFrames),
+        sprite("guard-alert", paintGuardAlert),
+        sprite("lamb", paintLamb),
+        sprite("lamb-walking", paintLambWalking, kFigureFrames),
+        sprite("fox", paintFox),
+        sprite("fox-running", paintFoxRunning, kFigureFrames),
+        sprite("shell", paintShell, kKeepsakeFrames),
+        sprite("moonflower", paintMoonflower, kKeepsakeFrames),
+        sprite("crystal", paintCrystal, kKeepsakeFrames),
+        sprite("lantern", paintLantern, kKeepsakeFrames),
     };
 }
 

@@ -388,12 +388,60 @@ void throughTheHillAbbey(Guide& guide) {
     guide.mark("on-the-tower");
 }
 
+// A keepsake in each land, then the last gate.
+void throughTheHunt(Guide& guide) {
+    guide.wait(60);
+    guide.mark("in-the-hall");
+    guide.walk({{8.5, 8}, {8.5, 3}});
+    guide.use();
+    guide.wait(60);
+    guide.mark("the-last-gate-is-shut");
+    guide.walk({{3.5, 5.5}});
+    guide.goThrough({0.5, 5.5});
+    guide.walk({{8.5, 9.5}, {9.4, 5.5}, {12.5, 5.4}});
+    guide.lookTo(-0.15);
+    guide.walk({{12.5, 3.7}});
+    guide.mark("the-shell");
+    guide.lookTo(0.0);
+    guide.walk({{12.5, 5.4}, {9.4, 6}, {8.5, 9.5}, {8.5, 12}});
+    guide.goThrough({8.5, 14.5});
+    guide.walk({{2.8, 8}, {3, 11.5}});
+    guide.goThrough({0.5, 11.5});
+    guide.walk({{8.5, 11}, {8.5, 5.5}});
+    guide.mark("the-lantern");
+    guide.turnTo(120.0);
+    guide.wait(120);
+    guide.mark("the-lamb");
+    guide.walk({{8.5, 11}, {8.5, 12}});
+    guide.goThrough({8.5, 14.5});
+    guide.walk({{2.6, 13}, {13.6, 13}, {14, 11.5}});
+    guide.goThrough({16.5, 11.5});
+    guide.walk({{8.5, 9}, {8.5, 6.4}});
+    guide.mark("the-moonflower");
+    guide.walk({{8.5, 9}, {8.5, 12}});
+    guide.goThrough({8.5, 14.5});
+    guide.walk({{14, 8}, {14, 5.5}});
+    guide.goThrough({16.5, 5.5});
+    guide.walk({{6, 11.5}, {6, 8.5}, {8.5, 7.6}, {8.5, 4.9}});
+    guide.mark("the-crystal");
+    guide.walk({{8.5, 7.6}, {6, 8.5}, {6, 11.5}, {8.5, 12}});
+    guide.goThrough({8.5, 14.5});
+    guide.walk({{13.6, 3.6}, {8.5, 3.2}});
+    guide.use();
+    guide.wait(170);
+    guide.mark("the-last-gate-opens");
+    guide.goThrough({8.5, 0.5});
+    guide.walk({{8.5, 10}});
+    guide.lookAround();
+    guide.mark("on-the-terrace");
+}
+
 constexpr std::array kTours = {
     Tour{"castle", throughTheCastle},         Tour{"garden", throughTheGarden},
     Tour{"glassworks", throughTheGlassworks}, Tour{"harbour-town", throughTheHarbourTown},
     Tour{"hill-abbey", throughTheHillAbbey},  Tour{"library", throughTheLibrary},
     Tour{"temple", throughTheTemple},         Tour{"water-palace", throughTheWaterPalace},
-    Tour{"wayhouse", throughTheWayhouse},
+    Tour{"wayhouse", throughTheWayhouse},     Tour{"wayhouse-hunt", throughTheHunt},
 };
 
 }  // namespace
