@@ -120,6 +120,10 @@ export class RayCaster extends Base {
     return this.#ready?.state ?? null;
   }
 
+  get game() {
+    return this.#ready?.game ?? null;
+  }
+
   get flying() {
     return this.player?.flying ?? false;
   }

@@ -604,6 +604,9 @@ export class Show {
         this.#viewStatus.moved();
         if (this.ready !== null) this.tell('viewchange', { view: this.engine.view });
         break;
+      case 'quest':
+        for (const { kind, ...detail } of this.engine.takeNews()) this.tell(kind, detail);
+        break;
       case 'portal':
         this.tell('portal', value);
         break;

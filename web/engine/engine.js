@@ -222,6 +222,16 @@ export class Engine {
     return this.#json(this.#module._slicecast_state(this.#session));
   }
 
+  // The world's game, {aim, finds, of, ...} as in src/session/quest_json.h, or null.
+  get game() {
+    return this.#json(this.#module._slicecast_game(this.#session));
+  }
+
+  // What has happened in it since the last call: [{kind, text, name, finds, of, seconds}].
+  takeNews() {
+    return this.#json(this.#module._slicecast_news(this.#session));
+  }
+
   // The eye after the last step: {map (its name), x, y, z, heading, look}, or null. Cheap enough to
   // read every frame.
   get view() {

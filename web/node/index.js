@@ -88,6 +88,14 @@ class Scene {
     return this.#running.view;
   }
 
+  get game() {
+    return this.#running.game;
+  }
+
+  takeNews() {
+    return this.#running.takeNews();
+  }
+
   get optionList() {
     return this.#running.options;
   }

@@ -4,6 +4,7 @@
 //     const { opening } = addPageParts(caster, { settings, address, dialogs, status });
 
 import { BenchmarkDialog } from './benchmark-dialog.js';
+import { GameDisplay } from './game-display.js';
 import { Hints } from './hints.js';
 import { KeyEditor } from './key-editor.js';
 import { listenForEffects } from './key-effects.js';
@@ -17,6 +18,7 @@ const find = (id) => document.getElementById(id);
 export function addPageParts(caster, { settings, address, dialogs, status }) {
   listenForEffects(caster, new Toast(find('toast')));
   new Hints(caster, find('hint'));
+  new GameDisplay(find('game'), caster, () => address.reference);
   new KeyEditor(find('keys'), caster, () => dialogs.showKeys());
 
   const flight = () => status.scenes.find(({ file }) => file === address.reference)?.flight;
