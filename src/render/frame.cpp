@@ -8,10 +8,12 @@ Frame::Frame(const World& w, const Eye& e, const RenderOptions& options, int wid
       mirrors(options.mirrors),
       textures(memory.textures),
       lit(memory.lit),
-      vistas(memory.vistas) {
+      vistas(memory.vistas),
+      ripples(memory.ripples) {
     memory.lit.beginFrame(w, options.baked);
     vistas.beginFrame(w, e, options, memory.lit, width, height);
     detail = Detail(options, vistas.projection().distance);
+    rippleRows = hasRipples(w) ? mostRippleRows(height) : 0;
     textures.resize(w.textures.size());
     for (std::size_t i = 0; i < textures.size(); ++i) {
         const Texture& texture = w.textures[i];

@@ -5,6 +5,7 @@
 #include "render/eye.h"
 #include "render/lit_maps.h"
 #include "render/options.h"
+#include "render/ripples.h"
 #include "render/vista.h"
 #include "world/world.h"
 
@@ -25,15 +26,18 @@ struct FrameMemory {
     std::vector<FrameTexture> textures;
     LitMaps lit;
     Vistas vistas;
+    RippleMemory ripples;
 };
 
 struct Frame {
     const World* world = nullptr;
     Detail detail;
     double mirrors = 1.0;                 // see RenderOptions
+    int rippleRows = 0;                   // how far ripples move reflections at most; 0 for none
     std::vector<FrameTexture>& textures;  // by TextureId
     LitMaps& lit;
     Vistas& vistas;
+    RippleMemory& ripples;
 
     // World, eye, options and memory must outlive the frame.
     Frame(const World& w, const Eye& e, const RenderOptions& options, int width, int height,

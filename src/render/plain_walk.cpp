@@ -357,7 +357,7 @@ void PlainWalk::meetFace(const LevelPlane& plane, Rows rows) {
     }
     span.look = &lookOf({plane.rise, look.texture, look.light, look.glow, !isTop, strength > 0,
                          false, block.blueprint->textureEast, block.blueprint->textureSouth});
-    showPlane(span, rows, strength);
+    showPlane(span, rows, strength, look.ripples);
 }
 
 // Leaves rows beyond the map's `far` to the haze.
@@ -372,7 +372,7 @@ void PlainWalk::meetFloor(Rows rows, bool endless) {
                                   ? floor.tiles[map().tileIndex(walk_.tileX, walk_.tileY)]
                                   : floor.texture;
     span.look = &lookOf({riseOf(0), texture, floor.light, floor.glow, false, strength > 0});
-    showPlane(span, rows, strength);
+    showPlane(span, rows, strength, floor.ripples);
 }
 
 void PlainWalk::meetCeiling(Rows rows) {
@@ -423,11 +423,11 @@ void PlainWalk::show(const Span& look, Rows rows, const Finish& finish) {
 }
 
 // `mirror` is the strength of the reflection; 0 for none.
-void PlainWalk::showPlane(const Span& look, Rows rows, int mirror) {
+void PlainWalk::showPlane(const Span& look, Rows rows, int mirror, int ripples) {
     show(look, rows, [&](const Span& span) {
         if (mirror > 0)
             found_->mirrors.push_back({number_, span.look->plane.rise, span.first, span.last,
-                                       static_cast<std::uint32_t>(mirror)});
+                                       static_cast<std::uint32_t>(mirror), ripples});
     });
 }
 

@@ -128,7 +128,7 @@ private:
     Span spanOf(What what) const;
     using Finish = std::function<void(Span&)>;
     void show(const Span& look, Rows rows, const Finish& finish = {});
-    void showPlane(const Span& look, Rows rows, int mirror);
+    void showPlane(const Span& look, Rows rows, int mirror, int ripples);
 
     // ---- plain_texels.cpp
     void findObjects();

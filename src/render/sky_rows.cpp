@@ -7,9 +7,18 @@
 
 namespace slicecast {
 
-void SkyRows::beginFrame(const Sky& sky, const Projection& projection, double headingDegrees) {
+void SkyRows::beginFrame(const Sky& sky, const Projection& projection, double headingDegrees,
+                         double seconds) {
     sky_ = &sky;
+    hasLayers_ = sky.hasLayers();
+    fetchedColumn_ = -1;
     headingDegrees_ = headingDegrees;
+    if (hasLayers_ || sky.kind == Sky::Kind::panorama) findAzimuths(projection);
+    if (hasLayers_) {
+        layers_.beginFrame(sky, projection, seconds);
+        colours_.resize(static_cast<std::size_t>(projection.firstFallingRow));
+        return;
+    }
     // #region gradient
     const int rows = projection.firstFallingRow;
     const auto share = [&](int row) {
@@ -30,59 +39,68 @@ void SkyRows::beginFrame(const Sky& sky, const Projection& projection, double he
         // #endregion
     } else if (sky.kind == Sky::Kind::panorama) {
         colours_.resize(static_cast<std::size_t>(rows));
-        fetchedColumn_ = -1;
         panoramaOffsets_.resize(static_cast<std::size_t>(rows));
         for (int row = 0; row < rows; ++row) {
             const int line = std::min(sky.panorama.height - 1,
                                       static_cast<int>((1.0 - share(row)) * sky.panorama.height));
             panoramaOffsets_[static_cast<std::size_t>(row)] = line * sky.panorama.width;
         }
-        // The arc tangents depend only on the shape of the picture, so they are kept from frame to
-        // frame
-        if (azimuthWidth_ != projection.width || azimuthDistance_ != projection.distance) {
-            azimuthWidth_ = projection.width;
-            azimuthDistance_ = projection.distance;
-            azimuths_.resize(static_cast<std::size_t>(projection.width));
-            for (int column = 0; column < projection.width; ++column) {
-                azimuths_[static_cast<std::size_t>(column)] =
-                    atanDegrees(projection.sidewaysSlope(column));
-            }
-        }
     }
 }
 
+// The arc tangents depend only on the shape of the picture, so they are kept from frame to frame.
+void SkyRows::findAzimuths(const Projection& projection) {
+    if (azimuthWidth_ == projection.width && azimuthDistance_ == projection.distance) return;
+    azimuthWidth_ = projection.width;
+    azimuthDistance_ = projection.distance;
+    azimuths_.resize(static_cast<std::size_t>(projection.width));
+    for (int column = 0; column < projection.width; ++column) {
+        azimuths_[static_cast<std::size_t>(column)] = atanDegrees(projection.sidewaysSlope(column));
+    }
+}
+
+// The column of `count` around the full circle that a column of the picture looks into.
+int SkyRows::columnOf(int column, int count) const {
+    const double turn = (headingDegrees_ + azimuths_[static_cast<std::size_t>(column)]) / 360.0;
+    return std::min(count - 1, static_cast<int>((turn - std::floor(turn)) * count));
+}
+
 void SkyRows::fill(Pixel* slice, int column, int first, int last) {
-    if (sky_->kind == Sky::Kind::colour) {
+    if (hasLayers_) {
+        fetch(columnOf(column, kSkyColumns), first, last);
+    } else if (sky_->kind == Sky::Kind::panorama) {
+        fetch(columnOf(column, sky_->panorama.width), first, last);
+    } else if (sky_->kind == Sky::Kind::colour) {
         std::fill(slice + first, slice + last, toPixel(sky_->low));
         return;
-    }
-    if (sky_->kind == Sky::Kind::panorama) {
-        const double turn = (headingDegrees_ + azimuths_[static_cast<std::size_t>(column)]) / 360.0;
-        const int width = sky_->panorama.width;
-        fetch(std::min(width - 1, static_cast<int>((turn - std::floor(turn)) * width)), first,
-              last);
     }
     std::copy(colours_.begin() + first, colours_.begin() + last, slice + first);
 }
 
-// Copies rows of a panorama's column into `colours_`. The panorama is stored by rows, so the pixels
-// of a column are far apart in memory; but several neighbouring slices show the same column.
-void SkyRows::fetch(int panoramaColumn, int first, int last) {
-    if (panoramaColumn != fetchedColumn_) {
-        fetchedColumn_ = panoramaColumn;
+// Fills rows of `colours_` from a column of the panorama, or of squares. Several neighbouring
+// slices show the same one.
+void SkyRows::fetch(int skyColumn, int first, int last) {
+    if (skyColumn != fetchedColumn_) {
+        fetchedColumn_ = skyColumn;
         fetchedFirst_ = fetchedLast_ = first;
     }
-    const Pixel* const texels = sky_->panorama.pixels.data() + panoramaColumn;
-    const int* const offsets = panoramaOffsets_.data();
-    Pixel* const colours = colours_.data();
     if (first < fetchedFirst_) {
-        for (int row = first; row < fetchedFirst_; ++row) colours[row] = texels[offsets[row]];
+        fetchRows(first, fetchedFirst_);
         fetchedFirst_ = first;
     }
     if (last > fetchedLast_) {
-        for (int row = fetchedLast_; row < last; ++row) colours[row] = texels[offsets[row]];
+        fetchRows(fetchedLast_, last);
         fetchedLast_ = last;
     }
+}
+
+// The panorama is stored by rows, so the pixels of a column are far apart in memory.
+void SkyRows::fetchRows(int first, int last) {
+    Pixel* const colours = colours_.data();
+    if (hasLayers_) return layers_.fill(colours, fetchedColumn_, first, last);
+    const Pixel* const texels = sky_->panorama.pixels.data() + fetchedColumn_;
+    const int* const offsets = panoramaOffsets_.data();
+    for (int row = first; row < last; ++row) colours[row] = texels[offsets[row]];
 }
 
 }  // namespace slicecast

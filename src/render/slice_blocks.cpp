@@ -193,9 +193,9 @@ Plane SliceWalk::planeOf(const Block& block, Face face) const {
 
 void SliceWalk::takeRoof(const Block& block, int firstRow, int lastRow, bool fromInside) {
     open_.take(firstRow, lastRow, [&](int first, int last) {
-        const int strength =
-            fromInside ? 0 : mirrorStrength(block.blueprint->face(Face::top).mirror);
-        if (strength > 0) mirror(block.top, first, last, strength);
+        const FaceBlueprint& look = block.blueprint->face(Face::top);
+        const int strength = fromInside ? 0 : mirrorStrength(look.mirror);
+        if (strength > 0) mirror(block.top, first, last, strength, look.ripples);
         Plane plane = planeOf(block, Face::top);
         plane.mirror = strength > 0;
         addPlane(What::roof, lookOf(plane), first, last, here_).level = block.level;

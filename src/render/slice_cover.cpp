@@ -26,7 +26,7 @@ void SliceWalk::takeFloorRows(int row, const TileRange& tiles) {
 
 // Floor that continues from tile to tile is one span.
 void SliceWalk::addFloor(int first, int last, const TileRange& tiles) {
-    if (floorMirror_ > 0) mirror(floorRise_, first, last, floorMirror_);
+    if (floorMirror_ > 0) mirror(floorRise_, first, last, floorMirror_, map_->floor.ripples);
     if (Span* const before = floorSpan_ == kNone ? nullptr : &found_->spans[floorSpan_];
         before != nullptr && before->first == last &&
         before->look->plane.texture == floor_.texture) {

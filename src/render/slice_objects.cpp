@@ -107,7 +107,7 @@ void SliceWalk::meetObject(const FrameObject& object) {
             .shift = 32,
             .detail = object.detail};
         if (cuts_) {
-            cutTexels(column, level.runs.of(u), first, last, add);
+            cutTexels(column, level.runs.of(u), first, last, cutMargin(), add);
         } else {
             add(column, first, last, true);
         }

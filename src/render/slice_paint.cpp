@@ -76,6 +76,7 @@ void SlicePainter::paintReflection(const SliceSpans& slice) {
     if (slice.reflected.layers > 0) paintLayers(slice.reflected);
     pixels_ = pixels;
     waterFogs_ = waterFogs;
+    if (frame_.rippleRows > 0) return blendRipples(slice);
     for (const MirrorSpan& span : slice.upright.mirrors) {
         blendReversed(pixels_ + span.first, span.last - span.first,
                       reflected_.data() + (height - span.last), span.strength);

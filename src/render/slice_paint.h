@@ -43,6 +43,7 @@ private:
     void paintOpaque(const ColumnSpans& column);
     void paintLayers(const ColumnSpans& column);
     void paintReflection(const SliceSpans& slice);
+    void blendRipples(const SliceSpans& slice);  // ripples.cpp
     void paintTexels(const Span& span, Lay lay);
     void paintTexelsFromWater(const Span& span, TexelColumn column, Lay lay);
     void paintSky(const Span& span);

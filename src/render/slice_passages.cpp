@@ -153,8 +153,9 @@ void SliceWalk::enterPortalTile() {
     takeHaze(0);
 }
 
-void SliceWalk::mirror(std::int32_t rise, int first, int last, int strength) {
-    found_->mirrors.push_back({part_, rise, first, last, static_cast<std::uint32_t>(strength)});
+void SliceWalk::mirror(std::int32_t rise, int first, int last, int strength, int ripples) {
+    found_->mirrors.push_back(
+        {part_, rise, first, last, static_cast<std::uint32_t>(strength), ripples});
     report_.mirroredRows += last - first;
 }
 

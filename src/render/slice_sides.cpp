@@ -119,10 +119,10 @@ inline void SliceWalk::addSideRows(const Side& side, const TexelColumn& column, 
         if (!layer) open_.take(from, to, [](int, int) {});
         addSideSpan(piece, texels, from, to);
     };
-    if (!side.texture->seeThrough) return add(column, first, last, false);
+    if (!side.texture->seeThrough) return cutOpaque(column, first, last, cutMargin(), add);
     const TextureLevel& level = side.texture->levels[column.detail];
     const auto u = static_cast<int>((column.texels - level.texels.data()) >> level.bits);
-    cutTexels(column, level.runs.of(u), first, last, add);
+    cutTexels(column, level.runs.of(u), first, last, cutMargin(), add);
 }
 
 inline void SliceWalk::addSideSpan(const Side& side, const TexelColumn& column, int first,

@@ -69,6 +69,7 @@ struct MirrorSpan {
     int first = 0;
     int last = 0;
     std::uint32_t strength = 0;  // 1 to 255
+    int ripples = 0;             // see ripples.h
 };
 
 // Rows whose rays went through a portal.

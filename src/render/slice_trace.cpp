@@ -371,6 +371,16 @@ void shareOut(SliceTrace& trace) {
     }
 }
 
+// The row whose reflection a row shows, if it shows one.
+int reflectedRow(const Frame& frame, const SliceSpans& slice, int row) {
+    findMirrorPlanes(frame, slice.upright);
+    for (const MirrorSpan& span : slice.upright.mirrors) {
+        if (span.ripples > 0 && span.first <= row && row < span.last)
+            return findRippledRows(frame, slice.column, slice.upright, span)[row];
+    }
+    return row;
+}
+
 }  // namespace
 
 void traceSlice(const Frame& frame, const SliceSpans& slice, SliceTrace& trace) {
@@ -391,7 +401,9 @@ void traceSlice(const Frame& frame, const SliceSpans& slice, SliceTrace& trace) 
     reflection.rayY = trace.rayY;
     reflection.horizonRow = trace.horizonRow;
     reflection.projectionDistance = trace.projectionDistance;
-    if (trace.watchedRow >= 0) reflection.watchedRow = projection.height - 1 - trace.watchedRow;
+    if (trace.watchedRow >= 0)
+        reflection.watchedRow =
+            projection.height - 1 - reflectedRow(frame, slice, trace.watchedRow);
     Tracer(frame, slice.column, slice.reflected, false, reflection).trace();
     turnUpright(reflection, projection.height);
     shareOut(reflection);

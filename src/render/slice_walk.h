@@ -29,6 +29,7 @@
 #include "render/plan_walk.h"
 #include "render/slice_spans.h"
 #include "render/sloped_plane.h"
+#include "render/texel_cut.h"
 
 #include <algorithm>
 #include <cmath>
@@ -269,13 +270,15 @@ private:
     bool cutToClip(Block& block) const;
     void sendThrough(PortalId id, int firstRow, int lastRow, const HeightClip& clip);
     void enterPortalTile();
-    void mirror(std::int32_t rise, int first, int last, int strength);
+    void mirror(std::int32_t rise, int first, int last, int strength, int ripples);
     bool beginReflection(SliceSpans& found);
     int mirrorStrength(std::uint8_t strength) const {
         return strength == 0
                    ? 0
                    : static_cast<int>(std::min(255.0, std::floor(strength * frame_.mirrors + 0.5)));
     }
+
+    CutMargin cutMargin() const { return {frame_.rippleRows, projection_->firstFallingRow}; }
 
     int rowBelow(std::int32_t rise, const Crossing& border) const {
         return firstRowBelow(*projection_, rise, border);

@@ -38,7 +38,7 @@ FaceBlueprint readFace(Reading& reading, JsonValue value, bool isRoof) {
     }
     face.texture = 0;
     const auto fields = reading.checker.fields(
-        value, {"texture", "light", "glow", "mirror", "lamp"},
+        value, {"texture", "light", "glow", "mirror", "ripples", "lamp"},
         "a texture's name, or an object with \"texture\", \"light\" and \"glow\"");
     if (!fields) return face;
     if (const auto texture = fields->require("texture", "the name of a texture")) {
@@ -46,7 +46,9 @@ FaceBlueprint readFace(Reading& reading, JsonValue value, bool isRoof) {
     }
     face.light = fields->number("light", kUnitRange, 1.0);
     face.glow = fields->flag("glow", false);
-    face.mirror = readMirror(*fields);
+    const ReadMirror mirrored = readMirror(reading.checker, *fields);
+    face.mirror = mirrored.mirror;
+    face.ripples = mirrored.ripples;
     if (const auto lamp = fields->find("lamp")) face.lamp = readLamp(reading, *lamp);
     if (const auto mirror = fields->find("mirror"); mirror && !isRoof) {
         reading.checker.addAtKey(*mirror, "a mirror on a side or an underside",

@@ -75,9 +75,9 @@ Map readMap(Reading& reading, JsonValue value, std::size_t index, const Legend& 
     if (const auto sow = fields->find("sow")) readSowing(reading, *sow);
     if (const auto messages = fields->find("messages")) readMessages(reading, *messages);
     if (const auto portals = fields->find("portals")) reading.portals.push_back({*portals, index});
-    if (const auto sky = fields->find("sky")) readSky(reading, *sky, index, map);
     if (const auto light = fields->find("light")) readLight(reading, *light, map.light);
     if (const auto baked = fields->find("baked")) readBakedLight(reading, *baked, hasSize, map);
+    if (const auto sky = fields->find("sky")) readSky(reading, *sky, index, map);
     if (const auto fog = fields->find("fog")) readFog(reading, *fog, map.fog);
     map.haze = fields->colour("haze", map.haze);
     map.far = fields->number("far", kFar, kDefaultFar);

@@ -1,5 +1,5 @@
-// What surrounds the blocks of a map: floor, ceiling, sky, light and fog. For baked light see
-// read_baked_light.cpp.
+// What surrounds the blocks of a map: floor, ceiling, light and fog. For the sky see read_sky.cpp,
+// for baked light read_baked_light.cpp.
 #include "scene/limits.h"
 #include "scene/readers.h"
 
@@ -8,13 +8,12 @@ namespace {
 
 constexpr NumberRange kCeilingHeight = {1.0 / 65536.0, kMaxHeight, false,
                                         "a number above 0 and at most 1000"};
-constexpr NumberRange kSlope = {0.0, kMaxSkySlope, true, "a number above 0 and at most 1000"};
 constexpr NumberRange kIntensity = {0.0, kMaxIntensity, false, "a number from 0 to 1000"};
 constexpr NumberRange kMultiplier = {0.0, kMaxMultiplier, false, "a number from 0 to 1000000"};
 constexpr NumberRange kFogStart = {0.0, kMaxFar, false, "a number from 0 to 100000"};
 constexpr NumberRange kFogEnd = {0.0, kMaxFar, true, "a number above 0 and at most 100000"};
-static_assert(kMaxHeight == 1000.0 && kMaxSkySlope == 1000.0 && kMaxIntensity == 1000.0 &&
-                  kMaxMultiplier == 1.0e6 && kMaxFar == 1.0e5,
+static_assert(kMaxHeight == 1000.0 && kMaxIntensity == 1000.0 && kMaxMultiplier == 1.0e6 &&
+                  kMaxFar == 1.0e5,
               "as the words say");
 
 // "legend" and "tiles" of a floor or ceiling: a texture for each tile.
@@ -53,8 +52,15 @@ void readTiles(Reading& reading, const Fields& fields, TextureId own, TextureId 
 
 }  // namespace
 
-std::uint8_t readMirror(const Fields& fields) {
-    return static_cast<std::uint8_t>(255.0 * fields.number("mirror", kUnitRange, 0.0) + 0.5);
+ReadMirror readMirror(Checker& checker, const Fields& fields) {
+    const auto share = [&](const char* key) {
+        return static_cast<std::uint8_t>(255.0 * fields.number(key, kUnitRange, 0.0) + 0.5);
+    };
+    const auto ripples = fields.find("ripples");
+    if (ripples && !fields.find("mirror"))
+        checker.addAtKey(*ripples, "ripples without a mirror",
+                         "a \"mirror\" beside them: ripples move what it reflects");
+    return {share("mirror"), share("ripples")};
 }
 
 void readFloor(Reading& reading, JsonValue value, bool hasSize, Map& map) {
@@ -64,7 +70,7 @@ void readFloor(Reading& reading, JsonValue value, bool hasSize, Map& map) {
         map.floor.texture = reading.checker.name(value, reading.textures, "texture").value_or(0);
     } else {
         fields = reading.checker.fields(
-            value, {"texture", "light", "glow", "mirror", "water", "legend", "tiles"},
+            value, {"texture", "light", "glow", "mirror", "ripples", "water", "legend", "tiles"},
             "a texture's name, or an object with \"texture\"");
         if (!fields) return;
         if (const auto texture = fields->require("texture", "the name of a texture")) {
@@ -73,7 +79,9 @@ void readFloor(Reading& reading, JsonValue value, bool hasSize, Map& map) {
         }
         map.floor.light = fields->number("light", kUnitRange, 1.0);
         map.floor.glow = fields->flag("glow", false);
-        map.floor.mirror = readMirror(*fields);
+        const ReadMirror mirror = readMirror(reading.checker, *fields);
+        map.floor.mirror = mirror.mirror;
+        map.floor.ripples = mirror.ripples;
         if (const auto water = fields->find("water")) {
             map.floor.water =
                 reading.checker.name(*water, reading.textures, "texture").value_or(kNoTexture);
@@ -102,44 +110,6 @@ void readCeiling(Reading& reading, JsonValue value, bool hasSize, Map& map) {
     map.ceiling.glow = fields->flag("glow", false);
     if (hasSize) map.ceiling.tiles.assign(map.floor.tiles.size(), own);
     readTiles(reading, *fields, own, kNoTexture, map, hasSize, map.ceiling.tiles);
-}
-
-void readSky(Reading& reading, JsonValue value, std::size_t mapIndex, Map& map) {
-    Checker& checker = reading.checker;
-    Sky& sky = map.sky;
-    if (value.isText()) {
-        sky.kind = Sky::Kind::colour;
-        sky.low = checker.colour(value).value_or(Colour{});
-        return;
-    }
-    // The keys show which kind is meant, even misspelt ones.
-    bool isPanorama = false;
-    if (value.isObject()) {
-        for (const JsonValue member : value)
-            isPanorama = isPanorama || !nearestName(member.key(), {"panorama"}).empty();
-    }
-    const auto fields =
-        isPanorama ? checker.fields(value, {"panorama", "slope"}, "")
-                   : checker.fields(
-                         value, {"low", "high", "slope"},
-                         "a colour, an object with \"low\" and \"high\", or one with \"panorama\"");
-    if (!fields) return;
-    sky.slope = fields->number("slope", kSlope, 1.0);
-    if (isPanorama) {
-        sky.kind = Sky::Kind::panorama;
-        const auto panorama = fields->find("panorama");
-        if (!panorama) return;
-        if (auto file = readFileName(checker, *panorama)) {
-            reading.description.panoramas.push_back(
-                {mapIndex, referTo(checker, *panorama, std::move(*file))});
-        }
-        return;
-    }
-    sky.kind = Sky::Kind::gradient;
-    if (const auto low = fields->require("low", "the colour at the horizon"))
-        sky.low = checker.colour(*low).value_or(Colour{});
-    if (const auto high = fields->require("high", "the colour above"))
-        sky.high = checker.colour(*high).value_or(Colour{});
 }
 
 void readLight(Reading& reading, JsonValue value, Light& light) {

@@ -180,9 +180,13 @@ void readMaps(Reading& reading, JsonValue value, const Legend& legend);
 // "levels" of a map: its size and cells.
 void readLevels(Reading& reading, JsonValue value, const Legend& legend, Map& map);
 
-// "mirror" of a roof or floor: how much of what is above shows in it, from 0 to 1, as a share of
-// 255.
-std::uint8_t readMirror(const Fields& fields);
+// "mirror" of a roof or floor: how much of what is above shows in it; and "ripples": how far waves
+// move that. Both from 0 to 1, as shares of 255.
+struct ReadMirror {
+    std::uint8_t mirror = 0;
+    std::uint8_t ripples = 0;
+};
+ReadMirror readMirror(Checker& checker, const Fields& fields);
 
 // The surroundings of a map whose size is known; a grid of tiles is only looked at where `hasSize`.
 void readFloor(Reading& reading, JsonValue value, bool hasSize, Map& map);

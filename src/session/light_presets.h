@@ -5,6 +5,7 @@
 #include "world/map.h"
 
 #include <cstdint>
+#include <memory>
 #include <optional>
 #include <vector>
 
@@ -45,6 +46,7 @@ private:
         Colour ambient;
     };
     std::vector<Own> own_;
+    std::shared_ptr<const CloudCover> clouds_;  // of all presets, made when first needed
     LightPreset applied_ = LightPreset::map;
 };
 

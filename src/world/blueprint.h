@@ -32,6 +32,7 @@ struct FaceBlueprint {
     // The factor alone sets the brightness, at any distance and whatever the map's light.
     bool glow = false;
     std::uint8_t mirror = 0;      // of a top face: strength of its reflection, of 255
+    std::uint8_t ripples = 0;     // of a mirror: how far waves move its reflection, of 255
     PortalId portal = kNoPortal;  // the face leads to another place
     LampId lamp = kNoLamp;        // before its middle; only of blocks that stand still
 };

@@ -10,12 +10,12 @@
 #pragma once
 
 #include "base/coordinate.h"
-#include "base/image.h"
 #include "slicecast/colour.h"
 #include "world/baked_light.h"
 #include "world/blueprint.h"
 #include "world/limits.h"
 #include "world/object.h"
+#include "world/sky.h"
 
 #include <cstddef>
 #include <cstdint>
@@ -31,6 +31,7 @@ struct Floor {
     double light = 1.0;            // factor on the map's light, 0 to 1
     bool glow = false;             // see FaceBlueprint
     std::uint8_t mirror = 0;       // see FaceBlueprint
+    std::uint8_t ripples = 0;
     TextureId water = kNoTexture;  // tiles with this texture are water, in which bodies wade
 };
 
@@ -41,17 +42,6 @@ struct Ceiling {
         tiles;  // [y * width + x], kNoTexture where there is no ceiling; empty if the map has none
     double light = 1.0;
     bool glow = false;
-};
-
-// The background of rays that rise or run level. Never lit, never in fog.
-struct Sky {
-    enum class Kind : std::uint8_t { colour, gradient, panorama };
-    Kind kind = Kind::colour;
-    Colour low = {150, 190, 230, 255};  // the colour; the gradient's colour at the horizon
-    Colour high;                        // the gradient's colour at `slope` and above
-    double slope = 1.0;  // upward slope (height / distance) of the gradient's end or the panorama's
-                         // upper edge, > 0
-    Image panorama;      // any size; wraps around the full circle clockwise, starting in the east
 };
 
 // Brightness at depth t is clamp(intensity * multiplier / t, darkest, brightest), or 1 if the light

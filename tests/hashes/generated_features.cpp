@@ -329,6 +329,37 @@ void addLight(Random& random, World& world) {
     }
 }
 
+void addSkyAndRipples(Random& random, World& world) {
+    const auto channel = [&] { return static_cast<std::uint8_t>(random.below(256)); };
+    const auto colour = [&] { return Colour{channel(), channel(), channel(), 255}; };
+    const auto disc = [&] {
+        return SkyDisc{.size = random.between(0.5, kMaxDiscSize),
+                       .azimuth = random.between(-360.0, 360.0),
+                       .altitude = random.between(0.0, 40.0),
+                       .glow = random.between(0.0, kMaxGlow),
+                       .colour = colour()};
+    };
+    for (Map& map : world.maps) {
+        map.sky.stars = {.density = random.unit(),
+                         .seed = static_cast<std::uint32_t>(random.between(0, 1 << 30)),
+                         .brightness = random.unit(),
+                         .colour = colour()};
+        map.sky.sun = disc();
+        map.sky.moon = disc();
+        map.sky.clouds = {.shape = makeCloudCover(
+                              static_cast<std::uint32_t>(random.between(0, 1 << 30)),
+                              random.between(kMinCloudSize, 2.0)),
+                          .cover = random.unit(),
+                          .speed = random.between(-kMaxCloudSpeed, kMaxCloudSpeed),
+                          .opacity = random.unit(),
+                          .colour = colour(),
+                          .shade = colour()};
+        map.floor.ripples = channel();
+    }
+    for (CellBlueprint& block : world.blueprints)
+        block.faces[static_cast<std::size_t>(Face::top)].ripples = channel();
+}
+
 void addFeatures(Random& random, World& world) {
     addSeeThrough(random, world);
     addMirrors(random, world);

@@ -16,4 +16,7 @@ void addShapes(Random& random, World& world);
 // A sun, light from the sky, and lamps.
 void addLight(Random& random, World& world);
 
+// Stars, sun, moon and clouds; ripples on mirrors.
+void addSkyAndRipples(Random& random, World& world);
+
 }  // namespace slicecast

@@ -148,6 +148,10 @@ World generatedWorld(std::uint64_t seed) {
     if (withFeatures) addFeatures(random, world);
     if (seed % 4 >= 2) addShapes(random, world);
     if (seed % 6 >= 3) addLight(random, world);
+    if (seed % 5 >= 3) {
+        Random own(seed);  // the rest of the world stays what it is
+        addSkyAndRipples(own, world);
+    }
     world.start.x = {random.between(0, world.maps[0].width * 65536 - 1)};
     world.start.y = {random.between(0, world.maps[0].depth * 65536 - 1)};
     world.start.headingDegrees = random.between(0.0, 360.0);

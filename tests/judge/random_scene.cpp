@@ -435,6 +435,54 @@ void flood(Random& random, World& world) {
     markPlans(world);
 }
 
+SkyDisc randomDisc(Random& random) {
+    SkyDisc disc;
+    disc.size = random.oneIn(4) ? random.between(0.1, 2.0) : random.between(2.0, kMaxDiscSize);
+    disc.azimuth = random.oneIn(4) ? 90.0 * random.below(4) : random.between(0.0, 360.0);
+    disc.altitude = random.between(0.0, 45.0);
+    disc.glow = random.oneIn(3) ? 0.0 : random.between(0.0, kMaxGlow);
+    disc.colour = anyColour(random);
+    return disc;
+}
+
+// Some skies have layers, some mirrors ripples; numbers of their own, so that the rest of the scene
+// stays what it is.
+void stir(std::uint64_t seed, World& world) {
+    static const std::shared_ptr<const CloudCover> kShapes[] = {makeCloudCover(1, 1.0),
+                                                                makeCloudCover(2, 0.3)};
+    Random random(seed ^ 0x73746972u);
+    for (Map& map : world.maps) {
+        if (random.oneIn(2)) continue;
+        Sky& sky = map.sky;
+        if (random.oneIn(2)) {
+            sky.stars = {.density = random.between(0.0, 1.0),
+                         .seed = static_cast<std::uint32_t>(random.between(0, 1 << 30)),
+                         .brightness = random.between(0.5, 1.0),
+                         .colour = anyColour(random)};
+        }
+        if (random.oneIn(3)) sky.sun = randomDisc(random);
+        if (random.oneIn(3)) sky.moon = randomDisc(random);
+        if (random.oneIn(2)) {
+            sky.clouds = {.shape = kShapes[random.below(2)],
+                          .cover = random.between(0.2, 1.0),
+                          .speed = random.between(-kMaxCloudSpeed, kMaxCloudSpeed),
+                          .opacity = random.between(0.3, 1.0),
+                          .colour = anyColour(random),
+                          .shade = anyColour(random)};
+        }
+    }
+    if (random.oneIn(2)) return;
+    const auto ripples = [&](std::uint8_t mirror) {
+        return static_cast<std::uint8_t>(mirror > 0 && !random.oneIn(4) ? random.between(1, 255)
+                                                                        : 0);
+    };
+    for (Map& map : world.maps) map.floor.ripples = ripples(map.floor.mirror);
+    for (CellBlueprint& block : world.blueprints) {
+        FaceBlueprint& top = block.faces[static_cast<std::size_t>(Face::top)];
+        top.ripples = ripples(top.mirror);
+    }
+}
+
 // The eye somewhere in water, if there is some. Most of the time the whole levels above are water
 // too.
 void dive(Random& random, World& world, View& view) {
@@ -555,6 +603,7 @@ Scene randomScene(std::uint64_t seed, int width, int height) {
     if (slopes.oneIn(3) || (isLit && lamps.oneIn(2))) incline(slopes, scene.world, slopes.oneIn(2));
     if (more.oneIn(6)) enterMover(more, scene.world, view);
     if (isLit) light(lamps, scene.world);
+    stir(seed, scene.world);
     return scene;
 }
 
@@ -588,6 +637,7 @@ Scene tieScene(std::uint64_t seed, int width, int height) {
     if (!slopes.oneIn(3)) incline(slopes, scene.world, true);
     Random lamps(seed ^ 0x6c616d70u);
     if (lamps.oneIn(4)) light(lamps, scene.world);
+    stir(seed, scene.world);
     return scene;
 }
 

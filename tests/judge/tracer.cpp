@@ -1,6 +1,7 @@
 #include "tracer_walk.h"
 
 #include <algorithm>
+#include <cmath>
 
 namespace slicecast::judge {
 namespace {
@@ -29,9 +30,15 @@ Face faceOfCut(Half half) {
 }  // namespace
 
 void Tracer::look(double x, double y, std::vector<Sight>& sights, Notes* notes) const {
-    sights.clear();
     Notes unread;
-    Walk walk(*this, x, y, sights, notes != nullptr ? *notes : unread);
+    Notes& noted = notes != nullptr ? *notes : unread;
+    follow(x, y, sights, noted);
+    ripple(x, y, sights, noted);
+}
+
+void Tracer::follow(double x, double y, std::vector<Sight>& sights, Notes& notes) const {
+    sights.clear();
+    Walk walk(*this, x, y, sights, notes);
     walk.run();
     walk.addObjects();
 }
@@ -599,7 +606,7 @@ Tracer::Walk::Then Tracer::Walk::meet(const Event& event, const Event* before) {
     pushFace(block, event.level, which, meeting, false);
     if (block.face(which).texture != kNoTexture && sights_.back().mirror > 0) {
         note(Note::roofMirror);
-        return reflect(event.height);
+        return reflect(event.height, block.face(which).ripples);
     }
     return block.seeThrough ? Then::leaves : Then::ended;
 }
@@ -616,7 +623,7 @@ Tracer::Walk::Then Tracer::Walk::meetFloor(TextureId texture, bool outside) {
     if (sights_.back().mirror > 0) {
         note(Note::floorMirror);
         if (outside) note(Note::mirrorOutside);
-        return reflect(height);
+        return reflect(height, map().floor.ripples);
     }
     if (sights_.back().seeThrough) pushBackground();
     return Then::ended;
@@ -638,7 +645,18 @@ Tracer::Walk::Then Tracer::Walk::throughHeight(PortalId id, const Event& event, 
 }
 
 // The ray goes on from a mirror as if it came, rising, from the mirrored eye.
-Tracer::Walk::Then Tracer::Walk::reflect(double height) {
+Tracer::Walk::Then Tracer::Walk::reflect(double height, int ripples) {
+    const Meeting meeting = meetingOf(height);
+    const Point at = Place::turned(
+        Point{eye_.x + meeting.at(direction_.x), eye_.y + meeting.at(direction_.y)}, place_.turn);
+    sights_.back().waves = {ripples,
+                            eyeZ_ - height,
+                            -up_,
+                            static_cast<int>(std::floor(256.0 * (at.x + place_.x))),
+                            static_cast<int>(std::floor(256.0 * (at.y + place_.y))),
+                            place_.x,
+                            place_.y,
+                            place_.levels};
     if (portals_ > 0) note(Note::mirrorBehindPortal);
     const double along = alongOf(height);
     eyeZ_ = 2.0 * height - eyeZ_;

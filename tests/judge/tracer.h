@@ -63,6 +63,17 @@ struct Sight {
     bool seeThrough = false;  // what lies behind may show, depending on the texel's alpha
     int mirror =
         0;  // how much of what comes next shows in it, of 255; then it counts as opaque otherwise
+    struct Waves {
+        int ripples = 0;      // of the mirror, of 255
+        double over = 0.0;    // the eye's height over it
+        double offset = 0.0;  // rows from the horizon
+        int x = 0;            // its point on the map, in 1/256 units
+        int y = 0;
+        // Where its map lies along the ray
+        int placeX = 0;
+        int placeY = 0;
+        int placeLevels = 0;
+    } waves;
 };
 
 // What happened to a ray on its way, besides what it met; for asserting coverage.
@@ -126,6 +137,12 @@ enum class Note : std::uint8_t {
     slopeBelowHorizon,  // a sloped underside met by a falling one
     slidSide,           // on a side of what moves along it
     slidPlane,          // on a roof or an underside of what moves along x or y
+    skyStar,
+    skySun,
+    skyMoon,
+    skyCloud,
+    rippledMirror,  // shows the reflection of another row
+    rippledStop,    // or of a nearer one than the ripples say, where the mirror ends
     count
 };
 using Notes = std::bitset<static_cast<std::size_t>(Note::count)>;
@@ -153,6 +170,10 @@ public:
 
 private:
     class Walk;
+
+    void follow(double x, double y, std::vector<Sight>& sights, Notes& notes) const;
+    void ripple(double x, double y, std::vector<Sight>& sights, Notes& notes) const;
+    int shiftOf(const Sight::Waves& waves) const;
 
     LightTracer& lightOf(int map) const;
     Colour litTexel(const Sight& sight, Colour texel, int column, int row, int size) const;

@@ -255,7 +255,13 @@ const char* nameOf(Note note) {
                                          "sloped roof above the horizon",
                                          "sloped underside below the horizon",
                                          "slid side",
-                                         "slid plane"};
+                                         "slid plane",
+                                         "star",
+                                         "sun",
+                                         "moon",
+                                         "cloud",
+                                         "rippled mirror",
+                                         "rippled to the end of a mirror"};
     static_assert(std::size(kNames) == static_cast<std::size_t>(Note::count));
     return kNames[static_cast<std::size_t>(note)];
 }

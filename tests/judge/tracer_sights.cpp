@@ -1,4 +1,5 @@
 // What a ray meets, as sights; and the objects, which are met last.
+#include "tracer_sky.h"
 #include "tracer_walk.h"
 
 #include "base/angle.h"
@@ -159,33 +160,14 @@ void Tracer::Walk::pushBackground() {
     sight.kind = Sight::Kind::sky;
     sight.along = kNever;
     sight.depth = kNever;
-    const Sky& sky = map().sky;
-    const double height = std::min(1.0, up_ / tracer_.distance_ / sky.slope);
-    switch (sky.kind) {
-        case Sky::Kind::colour:
-            sight.colour = sky.low;
-            break;
-        case Sky::Kind::gradient: {
-            const auto mix = [&](int a, int b) {
-                return static_cast<std::uint8_t>(std::floor(a + (b - a) * height + 0.5));
-            };
-            sight.colour = {mix(sky.low.r, sky.high.r), mix(sky.low.g, sky.high.g),
-                            mix(sky.low.b, sky.high.b), 255};
-            break;
-        }
-        case Sky::Kind::panorama: {
-            const double azimuth =
-                (tracer_.view_.headingDegrees + 90.0 * place_.turn + atanDegrees(sideways_)) /
-                360.0;
-            const int w = sky.panorama.width;
-            const int h = sky.panorama.height;
-            const int column =
-                std::min(w - 1, static_cast<int>(std::floor((azimuth - std::floor(azimuth)) * w)));
-            const int row = std::min(h - 1, static_cast<int>(std::floor((1.0 - height) * h)));
-            sight.colour = toColour(sky.panorama.at(column, row));
-            break;
-        }
-    }
+    SkyNotes seen;
+    sight.colour = skyColour(
+        map().sky, tracer_.view_.headingDegrees + 90.0 * place_.turn + atanDegrees(sideways_),
+        up_ / tracer_.distance_, world_.seconds, seen);
+    if (seen.star) note(Note::skyStar);
+    if (seen.sun) note(Note::skySun);
+    if (seen.moon) note(Note::skyMoon);
+    if (seen.cloud) note(Note::skyCloud);
     push(sight);
 }
 

@@ -160,7 +160,7 @@ private:
     Then meet(const Event& event, const Event* before);
     Then meetFloor(TextureId texture, bool outside);
     Then throughHeight(PortalId portal, const Event& event, BlueprintId left);
-    Then reflect(double height);
+    Then reflect(double height, int ripples);
     bool leaveTile(const Border& leave);
     void passPortal(const Place& next, const Portal& portal, double along, Note kind);
 

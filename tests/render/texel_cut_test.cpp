@@ -46,7 +46,8 @@ TEST(TexelCut, EachRowByItsTexel) {
                 EXPECT_EQ(alphaAt(column, row - first), 0u);
         };
         int next = first;
-        cutTexels(column, runs.of(0), first, last,
+        const int margin = random.oneIn(2) ? 0 : random.between(1, 20);
+        cutTexels(column, runs.of(0), first, last, CutMargin{margin, 0},
                   [&](const TexelColumn& piece, int from, int to, bool layer) {
                       EXPECT_LT(from, to);
                       expectHoles(next, from);
@@ -57,12 +58,44 @@ TEST(TexelCut, EachRowByItsTexel) {
                           EXPECT_EQ(alpha, 255u);
                           ++opaque;
                       }
+                      for (int row = std::max(first, from - (from > 0 ? margin : 0));
+                           !layer && row < to + margin; ++row)
+                          EXPECT_EQ(alphaAt(column, row - first), 255u) << "in the margin";
                       next = to;
                   });
         expectHoles(next, last);
     }
     EXPECT_GT(holes, 10000);
     EXPECT_GT(opaque, 10000);
+}
+
+TEST(TexelCut, OpaqueRowsButForTheMargin) {
+    std::vector<int> layers;
+    std::vector<int> closed;
+    const auto cut = [&](int first, int last, int margin, int horizon = 0) {
+        layers.clear();
+        closed.clear();
+        cutOpaque({.start = 100, .step = 7}, first, last, CutMargin{margin, horizon},
+                  [&](const TexelColumn& piece, int from, int to, bool layer) {
+                      EXPECT_EQ(piece.start, 100u + 7u * static_cast<unsigned>(from - first));
+                      for (int row = from; row < to; ++row)
+                          (layer ? layers : closed).push_back(row);
+                  });
+    };
+    cut(3, 9, 0);
+    EXPECT_EQ(layers, std::vector<int>{});
+    EXPECT_EQ(closed, (std::vector<int>{3, 4, 5, 6, 7, 8}));
+    cut(3, 9, 2);
+    EXPECT_EQ(layers, (std::vector<int>{3, 4, 7, 8}));
+    EXPECT_EQ(closed, (std::vector<int>{5, 6}));
+    cut(3, 9, 3);
+    EXPECT_EQ(layers, (std::vector<int>{3, 4, 5, 6, 7, 8}));
+    EXPECT_EQ(closed, std::vector<int>{});
+    cut(3, 9, 3, 8);
+    EXPECT_EQ(layers, (std::vector<int>{8}));
+    EXPECT_EQ(closed, (std::vector<int>{3, 4, 5, 6, 7}));
+    cut(3, 9, 3, 9);
+    EXPECT_EQ(layers, std::vector<int>{});
 }
 
 }  // namespace

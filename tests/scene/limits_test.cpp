@@ -213,6 +213,23 @@ TEST(Limits, AreThoseOfTheSchema) {
     EXPECT_EQ(ofMap("fog", "end", "maximum"), kMaxFar);
     EXPECT_EQ(number({"definitions", "slope", "maximum"}), kMaxSkySlope);
     EXPECT_EQ(number({"definitions", "slope", "default"}), normal.sky.slope);
+    const auto ofSky = [&](const char* layer, const char* key, const char* what) {
+        return number({"definitions", layer, "properties", key, what});
+    };
+    for (const char* disc : {"sun", "moon"}) {
+        EXPECT_EQ(ofSky(disc, "size", "maximum"), kMaxDiscSize);
+        EXPECT_EQ(ofSky(disc, "glow", "maximum"), kMaxGlow);
+        EXPECT_EQ(ofSky(disc, "altitude", "maximum"), kMaxDiscAltitude);
+        EXPECT_EQ(ofSky(disc, "altitude", "default"), SkyDisc().altitude);
+    }
+    EXPECT_EQ(ofSky("sun", "azimuth", "default"), SkyDisc().azimuth);
+    EXPECT_EQ(ofSky("stars", "density", "default"), kNormalStars);
+    EXPECT_EQ(ofSky("stars", "brightness", "default"), SkyStars().brightness);
+    EXPECT_EQ(ofSky("clouds", "cover", "default"), SkyClouds().cover);
+    EXPECT_EQ(ofSky("clouds", "speed", "default"), SkyClouds().speed);
+    EXPECT_EQ(ofSky("clouds", "speed", "maximum"), kMaxCloudSpeed);
+    EXPECT_EQ(ofSky("clouds", "size", "minimum"), kMinCloudSize);
+    EXPECT_EQ(ofSky("clouds", "size", "maximum"), kMaxCloudSize);
     EXPECT_EQ(number({"definitions", "start", "properties", "z", "maximum"}), kMaxHeight);
     EXPECT_EQ(number({"definitions", "start", "properties", "heading", "maximum"}),
               kMaxStartHeading);

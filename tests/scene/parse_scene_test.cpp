@@ -127,6 +127,8 @@ TEST(ParseScene, ReadsEveryKey) {
     EXPECT_EQ(hall.floor.light, 0.5);
     EXPECT_TRUE(hall.floor.glow);
     EXPECT_EQ(hall.floor.mirror, 77);  // 76.5
+    EXPECT_EQ(hall.floor.ripples, 255);
+    EXPECT_EQ(world.blueprints[slab].face(Face::top).ripples, 51);
     EXPECT_TRUE(hall.ceiling.glow);
     EXPECT_EQ(hall.floor.tiles,
               (std::vector<TextureId>{0, 0, 0, 0, 0, 0, 1, 1, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 1}));
@@ -208,6 +210,27 @@ TEST(ParseScene, ReadsEveryKey) {
     EXPECT_EQ(hall.sky.low, (Colour{255, 128, 0, 255}));
     EXPECT_EQ(hall.sky.high, (Colour{16, 32, 64, 255}));
     EXPECT_EQ(hall.sky.slope, 2.0);
+    EXPECT_EQ(hall.sky.stars, (SkyStars{.density = 0.1,
+                                        .seed = 7,
+                                        .brightness = 0.5,
+                                        .colour = {240, 240, 255, 255}}));
+    EXPECT_EQ(hall.sky.sun, (SkyDisc{.size = 6.0,
+                                     .azimuth = 180.0,
+                                     .altitude = 5.0,
+                                     .glow = 50.0,
+                                     .colour = {255, 208, 128, 255}}));
+    EXPECT_EQ(hall.sky.moon, (SkyDisc{.size = 3.0,
+                                      .azimuth = -90.0,
+                                      .altitude = 40.0,
+                                      .glow = 0.0,
+                                      .colour = {208, 216, 224, 255}}));
+    ASSERT_NE(hall.sky.clouds.shape, nullptr);
+    EXPECT_EQ(hall.sky.clouds.shape->density, makeCloudCover(9, 2.0)->density);
+    EXPECT_EQ(hall.sky.clouds.cover, 0.6);
+    EXPECT_EQ(hall.sky.clouds.speed, -2.0);
+    EXPECT_EQ(hall.sky.clouds.opacity, 0.8);
+    EXPECT_EQ(hall.sky.clouds.colour, (Colour{240, 160, 128, 255}));
+    EXPECT_EQ(hall.sky.clouds.shade, (Colour{112, 64, 96, 255}));
     EXPECT_FALSE(hall.light.on);
     EXPECT_EQ(hall.light.intensity, 2.0);
     EXPECT_EQ(hall.light.multiplier, 3.0);
@@ -240,6 +263,7 @@ TEST(ParseScene, ReadsEveryKey) {
     EXPECT_TRUE(yard.ceiling.tiles.empty());
     EXPECT_EQ(world.maps[3].sky.kind, Sky::Kind::colour);
     EXPECT_EQ(world.maps[3].sky.low, (Colour{18, 52, 86, 255}));
+    EXPECT_FALSE(yard.sky.hasLayers() || world.maps[3].sky.hasLayers());
 
     EXPECT_EQ(world.portalLimit, 5);
     const int plainMap = 3;

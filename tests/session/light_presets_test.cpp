@@ -78,6 +78,32 @@ TEST(LightPresets, SetSunAndLampsWhereThereIsASun) {
     EXPECT_EQ(maps[1].baked, indoors);
 }
 
+TEST(LightPresets, ShowWhatStandsInTheSkyWhereThereIsOne) {
+    std::vector<Map> maps = twoMaps();
+    maps[1].baked.on = true;
+    maps[1].baked.sun = {200, 100, 50, 255};
+    maps[1].baked.azimuth = 70.0;
+    maps[1].baked.altitude = 3.0;
+    MapLights lights(maps);
+    lights.apply({.preset = LightPreset::day}, maps);
+    EXPECT_FALSE(maps[0].sky.hasLayers()) << "a sky of one colour";
+    const Sky day = maps[1].sky;
+    EXPECT_GT(day.sun.size, 0.0);
+    EXPECT_EQ(day.sun.azimuth, 70.0) << "where the light comes from";
+    EXPECT_EQ(day.sun.altitude, 3.0);
+    EXPECT_EQ(day.stars.density, 0.0);
+    EXPECT_NE(day.clouds.shape, nullptr);
+    lights.apply({.preset = LightPreset::night}, maps);
+    EXPECT_EQ(maps[1].sky.sun.size, 0.0);
+    EXPECT_GT(maps[1].sky.moon.size, 0.0);
+    EXPECT_GT(maps[1].sky.stars.density, 0.0);
+    EXPECT_EQ(maps[1].sky.clouds.shape, day.clouds.shape) << "made once";
+    lights.apply({.preset = LightPreset::fog}, maps);
+    EXPECT_FALSE(maps[1].sky.hasLayers());
+    lights.apply({.preset = LightPreset::map}, maps);
+    EXPECT_FALSE(maps[1].sky.hasLayers());
+}
+
 TEST(LightPresets, RestoreEachMapsOwn) {
     std::vector<Map> maps = twoMaps();
     const Pixel* panorama = maps[1].sky.panorama.pixels.data();

@@ -212,6 +212,7 @@ std::vector<Entry> sheets() {
         {.name = "waterfall",
          .use = Use::Sheet,
          .paint = paintWaterfall,
+         .alpha = Alpha::Blended,
          .frames = kLoopFrames,
          .loops = true},
         {.name = "rune-panel",
@@ -276,6 +277,7 @@ std::vector<Entry> sprites() {
         sprite("moonflower", paintMoonflower, kKeepsakeFrames),
         sprite("crystal", paintCrystal, kKeepsakeFrames),
         sprite("lantern", paintLantern, kKeepsakeFrames),
+        sprite("spray", paintSpray, kLoopFrames, false),
     };
 }
 

@@ -14,6 +14,8 @@ namespace slicecast::textures {
 namespace {
 
 constexpr std::uint32_t kLiquidsSeed = 2800;
+constexpr int kSprayWidth = 128;
+constexpr int kSprayHeight = 64;
 constexpr Lighting kLiquidLight = {.gain = 0.0, .lightest = 0.0, .darkest = 0.0, .shadowReach = 0};
 
 template <typename PaintFrame>
@@ -108,33 +110,74 @@ Picture paintWaterClear() {
     return framesOf([](double time) { return waterFrame(time, true); });
 }
 
-// Strands that fall by whole textures in a loop, the nearer ones twice as fast.
+// Three layers that fall by whole textures in a loop, the nearer ones faster: a sheet of water in
+// broad folds, strands before it, and gushes of foam whose lower edges are bright.
 Picture paintWaterfall() {
     return framesOf([](double time) {
         Surface surface;
         const double slow = time * kSide;
-        const double fast = 2.0 * time * kSide;
+        const double middle = 2.0 * time * kSide;
+        const double fast = 3.0 * time * kSide;
         everyTexel([&](int x, int y) {
+            // Folds stand nearly still; the water slides along them
             const double bend =
-                5.0 * (valueNoise(x / 16.0, (y - slow) / 32.0, 8, 4, kLiquidsSeed + 20U) - 0.5);
+                4.0 * (loopNoise(x / 16.0, y / 64.0, 8, 2, time, 1, kLiquidsSeed + 20U) - 0.5);
+            const double fold =
+                fractalNoise((x + bend) / 16.0, (y - slow) / 128.0, 8, 1, 2, kLiquidsSeed + 21U);
             const double strand =
-                valueNoise((x + bend) / 4.0, (y - slow) / 64.0, 32, 2, kLiquidsSeed + 21U);
+                valueNoise((x + bend) / 4.0, (y - middle) / 64.0, 32, 2, kLiquidsSeed + 22U);
             const double thread =
-                valueNoise((x + 0.5 * bend) / 2.0, (y - fast) / 32.0, 64, 4, kLiquidsSeed + 22U);
-            const double gush =
-                fractalNoise(x / 16.0, (y - slow) / 32.0, 8, 4, 2, kLiquidsSeed + 23U) - 0.5;
+                valueNoise((x + bend) / 2.0, (y - fast) / 64.0, 64, 2, kLiquidsSeed + 23U);
+            // Gushes of foam: threads that are brightest at their lower ends
+            const auto gushAt = [&](double down) {
+                return fractalNoise(8.0 * (x + bend) / kSide, 2.0 * (y - middle + down) / kSide, 8,
+                                    2, 2, kLiquidsSeed + 24U);
+            };
+            const double gush = gushAt(0.0);
+            const double head = std::max(0.0, gush - gushAt(8.0));
+            const double tear =
+                valueNoise((x + bend) / 2.0, (y - middle) / 16.0, 64, 8, kLiquidsSeed + 25U);
+            const double foam =
+                3.0 * (gush - 0.52) + 1.6 * head + 1.3 * (tear - 0.55) + 0.4 * (strand - 0.5);
             Texel& texel = surface.at(x, y);
             texel.ramp = &kSeaRamp;
-            texel.tone = 2.5 + 1.7 * (strand - 0.5) + 1.3 * gush;
-            texel.tone += thread > 0.70 ? 0.7 : 0.0;
-            texel.tone += thread > 0.82 ? 0.7 : 0.0;
-            texel.tone -= thread < 0.20 ? 0.5 : 0.0;
-            // Foam where strands tear
-            const double foam =
-                fractalNoise((x + bend) / 4.0, (y - fast) / 32.0, 32, 4, 2, kLiquidsSeed + 24U);
-            texel.tone += foam > 0.72 ? 1.3 : 0.0;
+            texel.tone = 2.3 + 1.8 * (fold - 0.5) + 1.6 * (strand - 0.5);
+            texel.tone += thread > 0.74 ? 0.8 : thread < 0.22 ? -0.5 : 0.0;
+            texel.tone += 3.2 * smoothStep(0.0, 1.1, foam);
+            const double thick = smoothStep(0.25, 0.75, 0.5 * fold + 0.5 * strand);
+            texel.alpha = static_cast<std::uint8_t>(
+                176 + rounded(56.0 * thick + (79.0 - 56.0 * thick) * smoothStep(0.0, 0.5, foam)));
         });
         return lit(surface, kLiquidLight);
+    });
+}
+
+// Foam and spray where a fall ends: boiling, and rising as mist.
+Picture paintSpray() {
+    return framesOf([](double time) {
+        Surface surface = Surface::empty(kSprayWidth, kSprayHeight);
+        const double risen = time * kSprayHeight;
+        everyTexelIn(0, 0, kSprayWidth, kSprayHeight, [&](int x, int y) {
+            const double up = (kSprayHeight - 1.0 - y) / kSprayHeight;
+            const double aside = std::abs(2.0 * (x + 0.5) / kSprayWidth - 1.0);
+            const double puff = fractalNoise(x / 16.0, (y + risen) / 16.0, 8, kSprayHeight / 16, 3,
+                                             kLiquidsSeed + 30U);
+            const double boil =
+                loopFractal(x / 8.0, y / 8.0, 16, 8, time, 4, 2, kLiquidsSeed + 31U);
+            const double thick = 1.15 - 1.5 * up - 0.8 * aside * aside * aside +
+                                 1.5 * (puff - 0.5) + 0.5 * (boil - 0.5) -
+                                 (0.5 + boil) * (1.0 - smoothStep(0.0, 0.18, up));
+            if (thick <= 0.12) {
+                return;
+            }
+            surface.at(x, y) = {
+                .height = 0.0,
+                .tone = 3.7 + 2.2 * smoothStep(0.1, 0.9, thick) + 1.2 * (boil - 0.5),
+                .ramp = &kSeaRamp,
+                .alpha = static_cast<std::uint8_t>(
+                    std::clamp(rounded(215.0 * smoothStep(0.0, 0.95, thick)), 1, 255))};
+        });
+        return holesFilled(lit(surface, kLiquidLight), Border::Ends);
     });
 }
 

@@ -1,4 +1,4 @@
-// What flows, in frames: lava, water, a waterfall.
+// What flows, in frames: lava, water, a waterfall and the spray at its foot.
 #pragma once
 
 #include "picture.h"
@@ -9,5 +9,6 @@ Picture paintLava();
 Picture paintWaterSurface();
 Picture paintWaterClear();  // the same water, seen through
 Picture paintWaterfall();
+Picture paintSpray();
 
 }  // namespace slicecast::textures

@@ -1,0 +1,121 @@
+#include "render/ripples.h"
+
+#include "render/slice_paint.h"
+
+#include <algorithm>
+#include <cmath>
+#include <cstddef>
+
+namespace slicecast {
+namespace {
+
+bool isSamePlane(const ColumnSpans& found, const MirrorSpan& a, const MirrorSpan& b) {
+    const auto vistaOf = [&](const MirrorSpan& span) {
+        return found.parts[static_cast<std::size_t>(span.part)].vista;
+    };
+    return a.rise == b.rise && vistaOf(a) == vistaOf(b);
+}
+
+// From -4096 to 4096, for a phase of 256 a period.
+int wave(int phase) {
+    const int f = phase & 127;
+    return (phase & 128) != 0 ? -f * (128 - f) : f * (128 - f);
+}
+
+// How high the waves are at a point, in 1/256 units; from -512 to 512.
+int waveAt(int x, int y, int step) {
+    return (2 * wave((5 * x + 3 * y + 8 * step) >> 3) + wave((9 * y - 4 * x + 8 * step) >> 2) +
+            wave((11 * x - 6 * y + 10 * step) >> 2)) >>
+           5;
+}
+
+}  // namespace
+
+bool hasRipples(const World& world) {
+    return std::any_of(world.maps.begin(), world.maps.end(),
+                       [](const Map& map) { return map.floor.ripples > 0; }) ||
+           std::any_of(world.blueprints.begin(), world.blueprints.end(),
+                       [](const CellBlueprint& blueprint) {
+                           return blueprint.face(Face::top).ripples > 0;
+                       });
+}
+
+void findMirrorPlanes(const Frame& frame, const ColumnSpans& found) {
+    std::vector<int>& planes = frame.ripples.planes;
+    planes.assign(static_cast<std::size_t>(frame.vistas.projection().height), 0);
+    const std::vector<MirrorSpan>& mirrors = found.mirrors;
+    int plane = 0;
+    for (std::size_t i = 0; i < mirrors.size(); ++i) {
+        if (i == 0 || !isSamePlane(found, mirrors[i], mirrors[i - 1])) {
+            plane = 0;
+            while (!isSamePlane(found, mirrors[i], mirrors[static_cast<std::size_t>(plane)]))
+                ++plane;
+        }
+        std::fill(planes.begin() + mirrors[i].first, planes.begin() + mirrors[i].last, plane + 1);
+    }
+}
+
+const int* findRippledRows(const Frame& frame, int column, const ColumnSpans& found,
+                           const MirrorSpan& span) {
+    const std::vector<int>& planes = frame.ripples.planes;
+    std::vector<int>& rows = frame.ripples.rows;
+    rows.resize(planes.size());
+    const auto planeAt = [&](int row) { return planes[static_cast<std::size_t>(row)]; };
+    // As far as the mirror goes on above and below
+    int first = span.first;
+    const int highest = std::max(0, first - frame.rippleRows);
+    while (first > highest && planeAt(first - 1) == planeAt(span.first)) --first;
+    int last = span.last;
+    const int lowest = std::min(static_cast<int>(planes.size()), last + frame.rippleRows);
+    while (last < lowest && planeAt(last) == planeAt(span.first)) ++last;
+
+    const Vista& vista = *found.parts[static_cast<std::size_t>(span.part)].vista;
+    const double height = Coordinate{-span.rise}.value();
+    const GroundDirection ray = vista.ray(column);
+    const PlaneLine line = {vista.viewpoint.fractionX(), vista.viewpoint.fractionY(),
+                            height * ray.x, height * ray.y, false};
+    const int eyeX = vista.viewpoint.tileX() * 256;
+    const int eyeY = vista.viewpoint.tileY() * 256;
+    const double perSquare = height * vista.projection->distance;
+    const double seconds = frame.world->seconds;
+    const int step =
+        static_cast<int>(static_cast<std::int64_t>(std::floor(120.0 * seconds)) & 1023);
+    for (int row = span.first; row < span.last; ++row) {
+        const double inverse = vista.inverseOffsets[row];
+        const int x =
+            eyeX + static_cast<int>(
+                       PlaneLine::position(line.eastStart, line.eastPerInverse, inverse) >> 24);
+        const int y =
+            eyeY + static_cast<int>(
+                       PlaneLine::position(line.southStart, line.southPerInverse, inverse) >> 24);
+        const double offset = row + 0.5 - vista.projection->horizon;
+        const double shift = std::floor(
+            offset * offset / perSquare * (waveAt(x, y, step) * span.ripples) / 262144.0 + 0.5);
+        const double most = frame.rippleRows;
+        rows[static_cast<std::size_t>(row)] =
+            std::clamp(row + static_cast<int>(std::clamp(shift, -most, most)), first, last - 1);
+    }
+    return rows.data();
+}
+
+void SlicePainter::blendRipples(const SliceSpans& slice) {
+    const int height = frame_.vistas.projection().height;
+    std::vector<Pixel>& colours = frame_.ripples.colours;
+    colours.resize(static_cast<std::size_t>(height));
+    findMirrorPlanes(frame_, slice.upright);
+    for (const MirrorSpan& span : slice.upright.mirrors) {
+        const int count = span.last - span.first;
+        const Pixel* reflected = reflected_.data() + (height - span.last);
+        if (span.ripples > 0) {
+            const int* const rows = findRippledRows(frame_, slice.column, slice.upright, span);
+            for (int i = 0; i < count; ++i) {
+                colours[static_cast<std::size_t>(count - 1 - i)] =
+                    reflected_[static_cast<std::size_t>(height - 1 - rows[span.first + i])];
+            }
+            reflected = colours.data();
+        }
+        blendReversed(pixels_ + span.first, count, reflected, span.strength);
+    }
+}
+
+}  // namespace slicecast
