@@ -16,6 +16,7 @@ constexpr int kHalfSquares = 2 * kSkyColumns;  // around the full circle
 constexpr int kStarSide = 8;                   // squares a side of a place for a star
 constexpr int kStarFade = 48;                  // rows above the horizon in which stars appear
 constexpr int kCloudFade = 24;
+constexpr int kDiscFade = 16;
 constexpr int kCloudTurn = kCloudColumns * 256;
 constexpr int kToneRows = 6;  // from a square to the one whose density decides its tone
 
@@ -214,7 +215,8 @@ void SkyLayers::addDisc(const Disc& disc, int column, Rows rows) {
                 std::max(weight, std::min(255, 255 * (rim * rim - distance) / (4 * disc.radius)));
             if (disc.hasSpots) colour = mixed(colour, weighted(0, spotAt(disc, x, y)));
         }
-        layer_[static_cast<std::size_t>(row)] = weighted(colour, weight);
+        layer_[static_cast<std::size_t>(row)] =
+            weighted(colour, weight * std::min(row, kDiscFade) / kDiscFade);
     }
     layOver(seen);
 }

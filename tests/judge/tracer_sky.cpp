@@ -113,7 +113,7 @@ int discWeight(const SkyDisc& disc, int c, int v, bool isMoon, Colour& colour) {
             colour = over({0, 0, 0, 255}, std::clamp(2 * (112 - n), 0, 64), colour);
         }
     }
-    return static_cast<int>(weight);
+    return static_cast<int>(weight) * std::min(v, 16) / 16;
 }
 
 // Clouds are looked up where the scene's loading has put them; that is checked here.
