@@ -17,7 +17,8 @@ struct Preset {
     Colour sun;
     double altitude;  // of the sun, if it stands higher; degrees
     Colour ambient;
-    double lamps;  // see BakedLight::lampStrength
+    double lamps;         // see BakedLight::lampStrength
+    double lowest = 0.0;  // altitude of the sun, if it stands lower
     // In maps whose own sky is not just one colour. Sun and moon stand where the map's baked light
     // comes from, but no higher than this, so that they are seen.
     SkyDisc disc;
@@ -39,7 +40,8 @@ constexpr Preset kDay = {
     .sun = {255, 244, 224, 255},
     .altitude = 90.0,
     .ambient = {132, 146, 168, 255},
-    .lamps = 0.0,
+    .lamps = 0.3,  // for rooms
+    .lowest = 35.0,
     .disc = {.size = 3.5, .altitude = 30.0, .glow = 30.0, .colour = {255, 250, 232, 255}},
     .cover = 0.42};
 constexpr Preset kDusk = {
@@ -92,7 +94,7 @@ bool hasSun(const BakedLight& baked) {
 
 void shine(BakedLight& baked, const Preset& preset) {
     baked.sun = preset.sun;
-    baked.altitude = std::min(baked.altitude, preset.altitude);
+    baked.altitude = std::clamp(baked.altitude, preset.lowest, preset.altitude);
     baked.ambient = preset.ambient;
     baked.lampStrength = preset.lamps;
 }

@@ -73,6 +73,12 @@ TEST(LightPresets, SetSunAndLampsWhereThereIsASun) {
         EXPECT_EQ(maps[1].baked, indoors);
     }
     EXPECT_LT(maps[0].baked.sun.b, 100) << "a moon";
+    maps[0].baked = outdoors;
+    maps[0].baked.altitude = 8.0;
+    MapLights sunset(maps);
+    sunset.apply({.preset = LightPreset::day}, maps);
+    EXPECT_EQ(maps[0].baked.altitude, 35.0) << "no day has a sun as low as at sunset";
+    maps[0].baked = outdoors;
     lights.apply({.preset = LightPreset::map}, maps);
     EXPECT_EQ(maps[0].baked, outdoors);
     EXPECT_EQ(maps[1].baked, indoors);
@@ -90,7 +96,7 @@ TEST(LightPresets, ShowWhatStandsInTheSkyWhereThereIsOne) {
     const Sky day = maps[1].sky;
     EXPECT_GT(day.sun.size, 0.0);
     EXPECT_EQ(day.sun.azimuth, 70.0) << "where the light comes from";
-    EXPECT_EQ(day.sun.altitude, 3.0);
+    EXPECT_EQ(day.sun.altitude, 30.0);
     EXPECT_EQ(day.stars.density, 0.0);
     EXPECT_NE(day.clouds.shape, nullptr);
     lights.apply({.preset = LightPreset::night}, maps);
