@@ -16,10 +16,17 @@ bool isSamePlane(const ColumnSpans& found, const MirrorSpan& a, const MirrorSpan
     return a.rise == b.rise && vistaOf(a) == vistaOf(b);
 }
 
+// Whether another span is the same mirror in the rows above.
+bool goesOn(const MirrorSpan& span, const MirrorSpan& above) {
+    return above.last == span.first && above.part == span.part && above.rise == span.rise &&
+           above.strength == span.strength && above.ripples == span.ripples;
+}
+
 // From -4096 to 4096, for a phase of 256 a period.
 int wave(int phase) {
     const int f = phase & 127;
-    return (phase & 128) != 0 ? -f * (128 - f) : f * (128 - f);
+    const int sign = -(phase >> 7 & 1);  // without a branch: it would be mispredicted
+    return ((f * (128 - f)) ^ sign) - sign;
 }
 
 // How high the waves are at a point, in 1/256 units; from -512 to 512.
@@ -60,14 +67,17 @@ const int* findRippledRows(const Frame& frame, int column, const ColumnSpans& fo
     const std::vector<int>& planes = frame.ripples.planes;
     std::vector<int>& rows = frame.ripples.rows;
     rows.resize(planes.size());
-    const auto planeAt = [&](int row) { return planes[static_cast<std::size_t>(row)]; };
     // As far as the mirror goes on above and below
+    const auto isMirror = [&](int row) {
+        return planes[static_cast<std::size_t>(row)] ==
+               planes[static_cast<std::size_t>(span.first)];
+    };
     int first = span.first;
     const int highest = std::max(0, first - frame.rippleRows);
-    while (first > highest && planeAt(first - 1) == planeAt(span.first)) --first;
+    while (first > highest && isMirror(first - 1)) --first;
     int last = span.last;
     const int lowest = std::min(static_cast<int>(planes.size()), last + frame.rippleRows);
-    while (last < lowest && planeAt(last) == planeAt(span.first)) ++last;
+    while (last < lowest && isMirror(last)) ++last;
 
     const Vista& vista = *found.parts[static_cast<std::size_t>(span.part)].vista;
     const double height = Coordinate{-span.rise}.value();
@@ -80,6 +90,7 @@ const int* findRippledRows(const Frame& frame, int column, const ColumnSpans& fo
     const double seconds = frame.world->seconds;
     const int step =
         static_cast<int>(static_cast<std::int64_t>(std::floor(120.0 * seconds)) & 1023);
+    const double most = frame.rippleRows;
     for (int row = span.first; row < span.last; ++row) {
         const double inverse = vista.inverseOffsets[row];
         const int x =
@@ -89,11 +100,12 @@ const int* findRippledRows(const Frame& frame, int column, const ColumnSpans& fo
             eyeY + static_cast<int>(
                        PlaneLine::position(line.southStart, line.southPerInverse, inverse) >> 24);
         const double offset = row + 0.5 - vista.projection->horizon;
-        const double shift = std::floor(
-            offset * offset / perSquare * (waveAt(x, y, step) * span.ripples) / 262144.0 + 0.5);
-        const double most = frame.rippleRows;
-        rows[static_cast<std::size_t>(row)] =
-            std::clamp(row + static_cast<int>(std::clamp(shift, -most, most)), first, last - 1);
+        const double shift =
+            offset * offset / perSquare * (waveAt(x, y, step) * span.ripples) / 262144.0;
+        // Rounds down by a conversion, from above 0
+        const int moved =
+            static_cast<int>(std::clamp(shift, -most, most) + (most + 0.5)) - frame.rippleRows;
+        rows[static_cast<std::size_t>(row)] = std::clamp(row + moved, first, last - 1);
     }
     return rows.data();
 }
@@ -103,14 +115,19 @@ void SlicePainter::blendRipples(const SliceSpans& slice) {
     std::vector<Pixel>& colours = frame_.ripples.colours;
     colours.resize(static_cast<std::size_t>(height));
     findMirrorPlanes(frame_, slice.upright);
-    for (const MirrorSpan& span : slice.upright.mirrors) {
+    const std::vector<MirrorSpan>& mirrors = slice.upright.mirrors;
+    for (std::size_t i = 0; i < mirrors.size(); ++i) {
+        // A floor is one span in each tile: takes them together
+        MirrorSpan span = mirrors[i];
+        for (; i + 1 < mirrors.size() && goesOn(span, mirrors[i + 1]); ++i)
+            span.first = mirrors[i + 1].first;
         const int count = span.last - span.first;
         const Pixel* reflected = reflected_.data() + (height - span.last);
         if (span.ripples > 0) {
             const int* const rows = findRippledRows(frame_, slice.column, slice.upright, span);
-            for (int i = 0; i < count; ++i) {
-                colours[static_cast<std::size_t>(count - 1 - i)] =
-                    reflected_[static_cast<std::size_t>(height - 1 - rows[span.first + i])];
+            for (int row = 0; row < count; ++row) {
+                colours[static_cast<std::size_t>(count - 1 - row)] =
+                    reflected_[static_cast<std::size_t>(height - 1 - rows[span.first + row])];
             }
             reflected = colours.data();
         }
