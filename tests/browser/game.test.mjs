@@ -36,7 +36,9 @@ const listen = (page) =>
   page.evaluate(() => {
     window.told = [];
     for (const name of ['message', 'find', 'goal'])
-      window.slicecast.addEventListener(name, ({ detail }) => window.told.push({ event: name, ...detail }));
+      window.slicecast.addEventListener(name, ({ detail }) =>
+        window.told.push({ event: name, ...detail }),
+      );
   });
 
 async function walkToTheGoal(page) {
@@ -92,7 +94,9 @@ test('the display shows the aim, the finds and the time, and keeps the best one'
   await page.waitForFunction(() => window.slicecast.game.seconds > 1.5);
   await page.keyboard.up('s');
   await walkToTheGoal(page);
-  await page.waitForFunction(() => /, best /.test(document.getElementById('game-time').textContent));
+  await page.waitForFunction(() =>
+    /, best /.test(document.getElementById('game-time').textContent),
+  );
   assert.equal(
     await page.evaluate(() => localStorage.getItem('slicecast.best-times')),
     JSON.stringify({ 'room.json': taken }),

@@ -1,4 +1,4 @@
-// Shows a scene's game above the picture: the aim, the finds so far, the time and the best time, and
+// Shows a game above the picture: the aim, the finds so far, the time and the best time, and
 // messages below. Keeps the best time of each scene.
 //
 //     new GameDisplay(section, caster, () => 'wayhouse-hunt.json');

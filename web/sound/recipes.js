@@ -27,7 +27,17 @@ export const kMaterials = [
   'cloth',
   'water',
 ];
-export const kOnce = ['step', 'land', 'jump', 'splash', 'stroke', 'knock', 'crossing', 'find', 'goal'];
+export const kOnce = [
+  'step',
+  'land',
+  'jump',
+  'splash',
+  'stroke',
+  'knock',
+  'crossing',
+  'find',
+  'goal',
+];
 export const kLasting = ['gate', 'mover', 'water', 'wind', 'submerged'];
 
 const noise = (filter, hertz, gain, decay, more = {}) => ({
