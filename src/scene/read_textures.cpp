@@ -73,7 +73,7 @@ TextureReference readPicture(Checker& checker, JsonValue value, bool isTexture) 
         if (!fields) return picture;
         if (const auto file = fields->require("file", "the name of a PNG file"))
             picture.image = referTo(checker, *file, readFileName(checker, *file).value_or(""));
-        static_assert(kViews == 4, "as the words say");
+        static_assert(kSpriteViews == 4, "as the words say");
         constexpr NumberRange kAllViews = {4.0, 4.0, false,
                                            "4: rows for the front, right, back and left"};
         constexpr NumberRange kFrames = {2.0, kMaxFrames, false,
@@ -84,7 +84,7 @@ TextureReference readPicture(Checker& checker, JsonValue value, bool isTexture) 
         const bool hasMaterial = isTexture && fields->find("material");
         if (hasMaterial) material = fields->choice("material", kMaterialNames, Material::stone);
         const auto views = isTexture ? FoundValue{} : fields->find("views");
-        if (views && checker.number(*views, kAllViews)) picture.views = kViews;
+        if (views && checker.number(*views, kAllViews)) picture.views = kSpriteViews;
         const bool isSheet =
             rate || !(hasMaterial || views || (isTexture && fields->find("variants")));
         if (const auto frames =

@@ -31,7 +31,7 @@ struct Object {
 
 // The sides of an object, in the order of a sprite's rows.
 enum class ObjectSide : std::uint8_t { front, right, back, left };
-inline constexpr int kViews = 4;
+inline constexpr int kSpriteViews = 4;
 
 // The side that an object turns to an eye; (x, y) leads from its middle to the eye, 1/65536 units.
 // On a diagonal it is the front or the back, and for an eye above the middle the front.

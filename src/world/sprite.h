@@ -24,7 +24,7 @@ struct Sprite {
     std::string name;
     std::vector<std::vector<SpriteLevel>> frames;  // row after row
     double rate = 0.0;  // frames per second, repeating; 0 for a single frame
-    int views = 1;      // rows: 1 or kViews
+    int views = 1;      // rows: 1 or kSpriteViews
 
     // The frame shown at a time in a row: floor(seconds * rate) modulo the frames of a row.
     const std::vector<SpriteLevel>& levelsAt(double seconds,

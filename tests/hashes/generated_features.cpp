@@ -109,7 +109,7 @@ void addObjects(Random& random, World& world) {
     for (int i = 0; i < 3; ++i) {
         const int frames = random.between(1, 3);
         const int height = random.between(5, 40);
-        const int views = i == 2 ? kViews : 1;
+        const int views = i == 2 ? kSpriteViews : 1;
         world.sprites.push_back(makeSprite("figure " + std::to_string(i),
                                            anyImage(random, 16 * frames, height * views), frames,
                                            4.0, views));
@@ -346,14 +346,14 @@ void addSkyAndRipples(Random& random, World& world) {
                          .colour = colour()};
         map.sky.sun = disc();
         map.sky.moon = disc();
-        map.sky.clouds = {.shape = makeCloudCover(
-                              static_cast<std::uint32_t>(random.between(0, 1 << 30)),
-                              random.between(kMinCloudSize, 2.0)),
-                          .cover = random.unit(),
-                          .speed = random.between(-kMaxCloudSpeed, kMaxCloudSpeed),
-                          .opacity = random.unit(),
-                          .colour = colour(),
-                          .shade = colour()};
+        map.sky.clouds = {
+            .shape = makeCloudCover(static_cast<std::uint32_t>(random.between(0, 1 << 30)),
+                                    random.between(kMinCloudSize, 2.0)),
+            .cover = random.unit(),
+            .speed = random.between(-kMaxCloudSpeed, kMaxCloudSpeed),
+            .opacity = random.unit(),
+            .colour = colour(),
+            .shade = colour()};
         map.floor.ripples = channel();
     }
     for (CellBlueprint& block : world.blueprints)

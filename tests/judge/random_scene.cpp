@@ -153,7 +153,7 @@ Sprite codedSprite(Random& random, int index) {
     const int width = random.oneIn(4) ? random.between(1, 8) : 8;
     const int height = random.oneIn(4) ? random.between(1, 8) : 8;
     const int frames = random.oneIn(3) ? 2 : 1;
-    const int views = index % 3 == 2 ? kViews : 1;
+    const int views = index % 3 == 2 ? kSpriteViews : 1;
     Image image(width * frames, height * views);
     for (int row = 0; row < image.height; ++row) {
         const int y = row % height;
