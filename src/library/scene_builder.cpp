@@ -65,7 +65,8 @@ struct SceneBuilder::State {
     }
     // Adds a fault if there is no such map.
     slicecast::Map* find(Map map, const std::string& where) {
-        if (isIndexOf(map.index, world.maps)) return &world.maps[static_cast<std::size_t>(map.index)];
+        if (isIndexOf(map.index, world.maps))
+            return &world.maps[static_cast<std::size_t>(map.index)];
         refuse(where, "no map", "one that map() returned");
         return nullptr;
     }
@@ -197,8 +198,8 @@ SceneBuilder::Block SceneBuilder::block(const BlockSpec& spec) {
     blueprint.plan.half = spec.diagonal;
     if (spec.rise) {
         const Slant level = {blueprint.bottom, blueprint.bottom};
-        blueprint.slopes = slopesTo(spec.rise->side, level,
-                                    {toCoordinate(spec.rise->from), blueprint.top});
+        blueprint.slopes =
+            slopesTo(spec.rise->side, level, {toCoordinate(spec.rise->from), blueprint.top});
     }
     for (FaceBlueprint& face : blueprint.faces) {
         face.texture = static_cast<TextureId>(spec.texture.index);
@@ -276,17 +277,19 @@ void SceneBuilder::lamp(Map map, const Lamp& lamp) {
     if (!isOnMap || !isWithin(lamp.strength, 0.0, kStrongestLamp) ||
         !isWithin(lamp.radius, 0.0, kFarthestLamp.value()) || toCoordinate(lamp.radius).raw == 0 ||
         place->baked.lamps.size() >= kMaxLamps) {
-        state.refuse("lamp",
-                     {"x ", Shortest{lamp.x}, ", y ", Shortest{lamp.y}, ", z ", Shortest{lamp.z},
-                      ", strength ", Shortest{lamp.strength}, ", radius ", Shortest{lamp.radius}},
-                     {"x from 0 to below ", place->width, ", y from 0 to below ", place->depth,
-                      ", z from 0 to ", static_cast<int>(kMaxHeight),
-                      ", strength 0 to 16, radius above 0 and at most 16, at most ", kMaxLamps,
-                      " lamps"});
+        state.refuse(
+            "lamp",
+            {"x ", Shortest{lamp.x}, ", y ", Shortest{lamp.y}, ", z ", Shortest{lamp.z},
+             ", strength ", Shortest{lamp.strength}, ", radius ", Shortest{lamp.radius}},
+            {"x from 0 to below ", place->width, ", y from 0 to below ", place->depth,
+             ", z from 0 to ", static_cast<int>(kMaxHeight),
+             ", strength 0 to 16, radius above 0 and at most 16, at most ", kMaxLamps, " lamps"});
         return;
     }
     place->baked.on = true;
-    place->baked.lamps.push_back({toCoordinate(lamp.x), toCoordinate(lamp.y), toCoordinate(lamp.z),
+    place->baked.lamps.push_back({toCoordinate(lamp.x),
+                                  toCoordinate(lamp.y),
+                                  toCoordinate(lamp.z),
                                   {lamp.colour, lamp.strength, toCoordinate(lamp.radius)}});
 }
 

@@ -40,11 +40,6 @@ Rgba between(Rgba low, Rgba high, U32x4 weights) {
     return dotPairs(low | high << 16, weights);
 }
 
-// The middle of a texel in 1/65536 of its tile.
-std::int32_t middleOf(int texel, int size) {
-    return (2 * texel + 1) * 32768 / size;
-}
-
 // How far behind the lower node of its square a texel is, of 128.
 U32x4 weightOf(U32x4 texel, int bits) {
     return ((2 * texel + 1) << 7 >> bits) & 127;

@@ -25,6 +25,11 @@ struct LitSquare {
 int fetchLit(Pixel* out, int first, int last, const LitSquare& square, const PlaneLine& line,
              const double* inverseOffsets);
 
+// The middle of a texel in 1/65536 of its tile.
+inline std::int32_t middleOf(int texel, int size) {
+    return (2 * texel + 1) * 32768 / size;
+}
+
 // How the texels of a plane lie in its tiles.
 struct TexelLay {
     bool southReversed = false;

@@ -29,7 +29,8 @@ int wave(int phase) {
     return ((f * (128 - f)) ^ sign) - sign;
 }
 
-// How high the waves are at a point, in 1/256 units; from -512 to 512.
+// How high the waves are at a point, in 1/256 units.
+constexpr int kHighestWave = 512;
 int waveAt(int x, int y, int step) {
     return (2 * wave((5 * x + 3 * y + 8 * step) >> 3) + wave((9 * y - 4 * x + 8 * step) >> 2) +
             wave((11 * x - 6 * y + 10 * step) >> 2)) >>
@@ -91,7 +92,14 @@ const int* findRippledRows(const Frame& frame, int column, const ColumnSpans& fo
     const int step =
         static_cast<int>(static_cast<std::int64_t>(std::floor(120.0 * seconds)) & 1023);
     const double most = frame.rippleRows;
-    for (int row = span.first; row < span.last; ++row) {
+    // Rows near the horizon show the far water, whose waves are too low to move anything
+    const double stillOffset =
+        std::sqrt(0.499 * 262144.0 / kHighestWave / span.ripples * perSquare);
+    const double stillEnd = vista.projection->horizon + stillOffset - 0.5;
+    const int firstMoved = static_cast<int>(
+        std::clamp(stillEnd, static_cast<double>(span.first), static_cast<double>(span.last)));
+    for (int row = span.first; row < firstMoved; ++row) rows[static_cast<std::size_t>(row)] = row;
+    for (int row = firstMoved; row < span.last; ++row) {
         const double inverse = vista.inverseOffsets[row];
         const int x =
             eyeX + static_cast<int>(

@@ -28,11 +28,6 @@ bool isPlane(What what) {
 
 using BakedLight = decltype(TracedTexel::baked);
 
-// The middle of a texel, in 1/65536 of its tile.
-int middleOf(int texel, int size) {
-    return (2 * texel + 1) * 32768 / size;
-}
-
 // The light of a face at (a, b), in 1/65536 of its tile along its two axes.
 BakedLight lightAt(const FaceNodes& nodes, int a, int b) {
     BakedLight light{};

@@ -29,7 +29,8 @@ template <typename... Arguments>
 class Visitor {
 public:
     template <typename Met>
-    requires(!std::is_same_v<Met, Visitor>) Visitor(const Met& met)
+        requires(!std::is_same_v<Met, Visitor>)
+    Visitor(const Met& met)
         : met_(&met), call_([](const void* called, Arguments... arguments) {
               (*static_cast<const Met*>(called))(arguments...);
           }) {}

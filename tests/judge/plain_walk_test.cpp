@@ -163,8 +163,7 @@ bool isSameRow(const Row& fast, const Row& plain, int row, int column) {
                              a->depth == b->depth;
                   }) &&
            areAll(fast.mirrors, plain.mirrors, [](const MirrorSpan* a, const MirrorSpan* b) {
-               return a->rise == b->rise && a->strength == b->strength &&
-                      a->ripples == b->ripples;
+               return a->rise == b->rise && a->strength == b->strength && a->ripples == b->ripples;
            });
 }
 

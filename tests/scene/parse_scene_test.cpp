@@ -210,10 +210,9 @@ TEST(ParseScene, ReadsEveryKey) {
     EXPECT_EQ(hall.sky.low, (Colour{255, 128, 0, 255}));
     EXPECT_EQ(hall.sky.high, (Colour{16, 32, 64, 255}));
     EXPECT_EQ(hall.sky.slope, 2.0);
-    EXPECT_EQ(hall.sky.stars, (SkyStars{.density = 0.1,
-                                        .seed = 7,
-                                        .brightness = 0.5,
-                                        .colour = {240, 240, 255, 255}}));
+    EXPECT_EQ(
+        hall.sky.stars,
+        (SkyStars{.density = 0.1, .seed = 7, .brightness = 0.5, .colour = {240, 240, 255, 255}}));
     EXPECT_EQ(hall.sky.sun, (SkyDisc{.size = 6.0,
                                      .azimuth = 180.0,
                                      .altitude = 5.0,

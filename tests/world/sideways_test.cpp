@@ -10,14 +10,14 @@ namespace slicecast {
 namespace {
 
 // 3 units east in 3 seconds at one speed, and back.
-constexpr int kPeriod = 6 * kSecond;
-Motion ferry(Axis axis = Axis::x) {
+constexpr int kFerryPeriod = 6 * kSecond;
+Motion ferryOf(Axis axis = Axis::x) {
     return {.name = "ferry",
             .axis = axis,
             .edges = MovingEdges::both,
             .from = {},
             .to = 3.0_u,
-            .periodSteps = kPeriod,
+            .periodSteps = kFerryPeriod,
             .phaseSteps = 0,
             .shape = MotionShape::even};
 }
@@ -56,10 +56,10 @@ void stepBothOften(World& world, Player& player, int steps, const GateAsk& ask =
 
 TEST(Sideways, AreAtTheirMotionsPlaceInAllTiles) {
     for (const Axis axis : {Axis::x, Axis::y}) {
-        World world = raft(ferry(axis));
+        World world = raft(ferryOf(axis));
         const Map& map = world.maps[0];
-        for (int step = 0; step <= kPeriod; ++step) {
-            const Coordinate offset = offsetAt(ferry(axis), step);
+        for (int step = 0; step <= kFerryPeriod; ++step) {
+            const Coordinate offset = offsetAt(ferryOf(axis), step);
             for (int tile = 0; tile < 8; ++tile) {
                 const int x = axis == Axis::x ? tile : 2;
                 const int y = axis == Axis::x ? 2 : tile;
@@ -81,33 +81,33 @@ TEST(Sideways, AreAtTheirMotionsPlaceInAllTiles) {
 }
 
 TEST(Sideways, OneEdgeMovesAlone) {
-    Motion motion = ferry();
+    Motion motion = ferryOf();
     motion.edges = MovingEdges::high;
     World world = raft(motion);
-    stepAlone(world, kPeriod / 2);
+    stepAlone(world, kFerryPeriod / 2);
     const Map& map = world.maps[0];
     for (int x = 0; x < 8; ++x) EXPECT_EQ(map.isOccupied(x, 2, 0), x >= 1 && x < 6) << x;
 }
 
 TEST(Sideways, TakeAlongWhoStandsOnThem) {
     for (const Axis axis : {Axis::x, Axis::y}) {
-        World world = raft(ferry(axis));
+        World world = raft(ferryOf(axis));
         Player player = axis == Axis::x ? standing(world, 2.0_u, 2.5_u, 0.5_u)
                                         : standing(world, 2.5_u, 2.0_u, 0.5_u);
-        stepBothOften(world, player, kPeriod / 2);
+        stepBothOften(world, player, kFerryPeriod / 2);
         EXPECT_EQ(axis == Axis::x ? player.x : player.y, 5.0_u);
         EXPECT_EQ(axis == Axis::x ? player.y : player.x, 2.5_u);
         EXPECT_EQ(player.z, 0.5_u);
-        stepBothOften(world, player, kPeriod / 2);
+        stepBothOften(world, player, kFerryPeriod / 2);
         EXPECT_EQ(axis == Axis::x ? player.x : player.y, 2.0_u);
     }
 }
 
 TEST(Sideways, LeaveBehindWhomAWallStops) {
-    World world = raft(ferry());
+    World world = raft(ferryOf());
     putBlock(world, 5, 2, 1.0_u, 2.0_u);
     Player player = standing(world, 2.0_u, 2.5_u, 0.5_u);
-    stepBothOften(world, player, kPeriod / 2 - 2);
+    stepBothOften(world, player, kFerryPeriod / 2 - 2);
     EXPECT_EQ(bodyBox(player).east, 5.0_u);
     EXPECT_EQ(player.z, 0.5_u);
     stepBothOften(world, player, 2);
@@ -115,22 +115,22 @@ TEST(Sideways, LeaveBehindWhomAWallStops) {
 }
 
 TEST(Sideways, PushWhoStandsInTheirWay) {
-    World world = raft(ferry());
+    World world = raft(ferryOf());
     Player player = standing(world, 4.0_u, 2.5_u, {});
-    stepBothOften(world, player, kPeriod / 2);
+    stepBothOften(world, player, kFerryPeriod / 2);
     EXPECT_EQ(bodyBox(player).west, 6.0_u);
     EXPECT_EQ(world.movers[0].offset, 3.0_u);
 }
 
 TEST(Sideways, WaitForWhoHasNoRoom) {
-    Motion motion = ferry();
+    Motion motion = ferryOf();
     motion.to = 2.0_u;
     World world = emptyWorld(8, 8, 2);
     world.maps[0].setCell(1, 2, 0, addMoving(world, {}, 0.5_u, motion));
     putBlock(world, 4, 2, {}, 1.0_u);
     ASSERT_TRUE(makeMovers(world).empty());
     Player player = standing(world, 3.0_u, 2.5_u, {});
-    stepBothOften(world, player, kPeriod / 2);
+    stepBothOften(world, player, kFerryPeriod / 2);
     EXPECT_LE(bodyBox(player).east, 4.0_u);
     const Coordinate front = tileEdge(2) + world.movers[0].offset;
     EXPECT_LE(front, bodyBox(player).west);
@@ -145,19 +145,19 @@ TEST(Sideways, WaitForWhoHasNoRoom) {
 }
 
 TEST(Sideways, RestForEverAtTheirEndIfOnce) {
-    Motion motion = ferry();
+    Motion motion = ferryOf();
     motion.once = true;
     World world = raft(motion);
-    stepAlone(world, kPeriod / 2);
+    stepAlone(world, kFerryPeriod / 2);
     EXPECT_EQ(world.movers[0].offset, 3.0_u);
-    stepAlone(world, kPeriod);
+    stepAlone(world, kFerryPeriod);
     EXPECT_EQ(world.movers[0].offset, 3.0_u);
     resetWorld(world);
     EXPECT_EQ(world.movers[0].offset, Coordinate{0});
 }
 
 TEST(Sideways, FaultsSayWhereTheyGo) {
-    Motion motion = ferry();
+    Motion motion = ferryOf();
     motion.to = 6.0_u;
     World world = emptyWorld(8, 8, 2);
     world.maps[0].setCell(2, 3, 1, addMoving(world, {}, 1.0_u, motion));
@@ -168,14 +168,14 @@ TEST(Sideways, FaultsSayWhereTheyGo) {
     EXPECT_EQ(faults[0].level, 1);
 
     world = emptyWorld(8, 8, 2);
-    world.maps[0].setCell(2, 3, 0, addMoving(world, {}, 1.0_u, ferry(Axis::y)));
+    world.maps[0].setCell(2, 3, 0, addMoving(world, {}, 1.0_u, ferryOf(Axis::y)));
     putBlock(world, 2, 6, {}, 0.9_u);
     faults = makeMovers(world);
     ASSERT_EQ(faults.size(), 1u);
     EXPECT_NE(faults[0].found.find("in tile (2, 6)"), std::string::npos) << faults[0].found;
 
     world = emptyWorld(8, 8, 2);
-    const BlueprintId narrow = addMoving(world, {}, 1.0_u, ferry());
+    const BlueprintId narrow = addMoving(world, {}, 1.0_u, ferryOf());
     world.blueprints[narrow].plan.west = 0.25_u;
     world.maps[0].setCell(1, 3, 0, narrow);
     world.maps[0].setCell(2, 3, 0, narrow);
@@ -186,7 +186,7 @@ TEST(Sideways, FaultsSayWhereTheyGo) {
 
 // A door of one tile, thin, whose western edge goes east when it opens.
 World slidingDoor(const GateKind& kind) {
-    Motion motion = ferry();
+    Motion motion = ferryOf();
     motion.edges = MovingEdges::low;
     motion.to = 1.0_u;
     motion.periodSteps = 0;

@@ -38,7 +38,7 @@ struct Stage {
         std::vector<Body> bodies = {bodyOf(travellerOf(player), player.onGround)};
         addBodies(world, bodies);
         stepWorld(world, bodies, ask);
-        player.z = player.z + bodies[0].lift;
+        shift(player, bodies[0]);
         liftObjects(world, std::span(bodies).subspan(1));
         const Body body = bodyOf(travellerOf(player), player.onGround);
         stepObjects(world, &body);

@@ -14,7 +14,7 @@ namespace {
 
 constexpr int kPersonWidth = 56;
 constexpr int kPersonHeight = 108;
-constexpr double kMiddle = 28.0;
+constexpr double kFigureMiddle = 28.0;
 constexpr Lighting kFigureLight = {.gain = 0.4,
                                    .lightest = 1.0,
                                    .darkest = 1.5,
@@ -56,23 +56,23 @@ Picture stacked(const std::vector<Picture>& rows) {
 }
 
 // A foot's place in a step: `ahead` from -1 to 1, `lift` off the ground.
-struct Swing {
+struct FigureSwing {
     double ahead;
     double lift;
 };
 
-Swing swingAt(double phase, double strength) {
+FigureSwing swingAt(double phase, double strength) {
     return {strength * wave(phase), strength * std::max(0.0, wave(phase + 0.25))};
 }
 
 // ---- People
 
 void drawPersonLeg(Surface& surface, const Clothes& clothes, Side side, double where,
-                   const Swing& swing, double dark) {
+                   const FigureSwing& swing, double dark) {
     const bool isAside = side == Side::Right;
     const double toViewer = side == Side::Back ? -1.0 : 1.0;
-    const double hip = kMiddle + (isAside ? 0.0 : where * 5.0);
-    const double foot = kMiddle + (isAside ? 11.0 * swing.ahead : where * 6.0);
+    const double hip = kFigureMiddle + (isAside ? 0.0 : where * 5.0);
+    const double foot = kFigureMiddle + (isAside ? 11.0 * swing.ahead : where * 6.0);
     const double down = isAside ? 0.0 : 2.2 * toViewer * swing.ahead;
     const double ground = kPersonHeight - 3.6 - 5.0 * swing.lift + std::min(0.0, down);
     const double knee = isAside ? 0.5 * (hip + foot) + 2.4 * swing.lift + 1.0 : foot;
@@ -86,7 +86,7 @@ void drawPersonLeg(Surface& surface, const Clothes& clothes, Side side, double w
 void drawPersonArm(Surface& surface, const Clothes& clothes, Side side, double where, double ahead,
                    double dark, double height) {
     const bool isAside = side == Side::Right;
-    const double shoulder = kMiddle + (isAside ? 0.0 : where * 11.0);
+    const double shoulder = kFigureMiddle + (isAside ? 0.0 : where * 11.0);
     const double elbow = shoulder + (isAside ? 4.0 * ahead - 1.5 : where * 3.6);
     const double hand = shoulder + (isAside ? 10.0 * ahead + 1.0 : where * 3.0);
     const double rise = 3.0 * std::abs(ahead);
@@ -100,7 +100,7 @@ void drawPersonArm(Surface& surface, const Clothes& clothes, Side side, double w
 
 void drawCoat(Surface& surface, const Clothes& clothes, Side side, double sway) {
     const double wide = side == Side::Right ? 0.74 : 1.0;
-    const auto at = [wide](double x, double y) { return Place{kMiddle + wide * x, y}; };
+    const auto at = [wide](double x, double y) { return Place{kFigureMiddle + wide * x, y}; };
     drawOutline(
         surface,
         {at(-11.0, 35.0), at(-5.0, 31.0), at(5.0, 31.0), at(11.0, 35.0), at(10.0, 56.0),
@@ -109,7 +109,7 @@ void drawCoat(Surface& surface, const Clothes& clothes, Side side, double sway) 
     everyTexelOn(surface, 0.0, 28.0, kPersonWidth, 84.0, [&](int x, int y) {
         Texel& texel = surface.at(x, y);
         if (texel.alpha == 0 || texel.ramp != clothes.coat) return;
-        const double off = (x + 0.5 - kMiddle) / (13.5 * wide);
+        const double off = (x + 0.5 - kFigureMiddle) / (13.5 * wide);
         texel.height += 7.0 * std::sqrt(std::max(0.0, 1.0 - off * off));
         if (y > 60) texel.tone += 0.3 * wave(off * 1.6 + 0.15);
         if (y >= 77) {
@@ -124,51 +124,52 @@ void drawCoat(Surface& surface, const Clothes& clothes, Side side, double sway) 
     const double front = side == Side::Right ? 5.0 : 0.0;
     const double half = side == Side::Right ? 4.0 : 7.5;
     drawOutline(surface,
-                {{kMiddle + front - half, 59.0},
-                 {kMiddle + front + half, 59.0},
-                 {kMiddle + front + half + 1.0 + sway, 76.0},
-                 {kMiddle + front - half - 1.0 + sway, 76.0}},
+                {{kFigureMiddle + front - half, 59.0},
+                 {kFigureMiddle + front + half, 59.0},
+                 {kFigureMiddle + front + half + 1.0 + sway, 76.0},
+                 {kFigureMiddle + front - half - 1.0 + sway, 76.0}},
                 {.ramp = clothes.trim, .tone = clothes.trimTone, .height = 16.5});
 }
 
 void drawFace(Surface& surface, Side side) {
     if (side == Side::Back) return;
-    const double face = side == Side::Right ? kMiddle + 2.8 : kMiddle;
+    const double face = side == Side::Right ? kFigureMiddle + 2.8 : kFigureMiddle;
     drawBall(surface, {face, 21.5}, side == Side::Right ? 6.6 : 7.6, 9.0,
              {.ramp = &kSkinRamp, .tone = 4.3, .height = 18.0, .bulge = 0.7});
     const Paint ink = {.ramp = &kOakRamp, .tone = 0.4, .height = 26.0, .bulge = 0.0};
     if (side == Side::Right) {
-        drawBall(surface, {kMiddle + 9.2, 23.6}, 2.2, 1.8,
+        drawBall(surface, {kFigureMiddle + 9.2, 23.6}, 2.2, 1.8,
                  {.ramp = &kSkinRamp, .tone = 4.5, .height = 20.0});
         drawBox(surface, 33, 19, 35, 22, ink);
         return;
     }
     drawBox(surface, 23, 20, 25, 23, ink);
     drawBox(surface, 31, 20, 33, 23, ink);
-    drawBall(surface, {kMiddle, 24.6}, 1.6, 2.0, {.ramp = &kSkinRamp, .tone = 4.7, .height = 25.0});
+    drawBall(surface, {kFigureMiddle, 24.6}, 1.6, 2.0,
+             {.ramp = &kSkinRamp, .tone = 4.7, .height = 25.0});
     drawLimb(surface, {26.4, 27.8}, 0.7, {29.6, 27.8}, 0.7,
              {.ramp = &kSkinRamp, .tone = 1.8, .height = 25.0, .bulge = 0.0});
 }
 
 void drawHead(Surface& surface, const Clothes& clothes, Side side) {
-    drawBall(surface, {kMiddle, 31.5}, 6.6, 4.2,
+    drawBall(surface, {kFigureMiddle, 31.5}, 6.6, 4.2,
              {.ramp = clothes.trim, .tone = clothes.trimTone, .height = 15.0});
     const Ramp* hair = clothes.isArmed ? &kOakRamp : &kStoneRamp;
-    drawBall(surface, {kMiddle - (side == Side::Right ? 1.6 : 0.0), 20.0}, 9.0, 10.0,
+    drawBall(surface, {kFigureMiddle - (side == Side::Right ? 1.6 : 0.0), 20.0}, 9.0, 10.0,
              {.ramp = hair, .tone = clothes.isArmed ? 2.2 : 5.8, .height = 14.0});
     drawFace(surface, side);
     if (clothes.isArmed) {
-        drawBall(surface, {kMiddle, 13.0}, 9.6, 7.6,
+        drawBall(surface, {kFigureMiddle, 13.0}, 9.6, 7.6,
                  {.ramp = &kSlateRamp, .tone = 5.0, .height = 25.0});
-        drawLimb(surface, {kMiddle - 10.0, 16.5}, 1.7, {kMiddle + 10.0, 16.5}, 1.7,
+        drawLimb(surface, {kFigureMiddle - 10.0, 16.5}, 1.7, {kFigureMiddle + 10.0, 16.5}, 1.7,
                  {.ramp = &kBrassRamp, .tone = 3.2, .height = 30.0, .bulge = 0.5});
-        drawLimb(surface, {kMiddle, 4.0}, 1.8, {kMiddle, 8.0}, 2.6,
+        drawLimb(surface, {kFigureMiddle, 4.0}, 1.8, {kFigureMiddle, 8.0}, 2.6,
                  {.ramp = &kCrimsonRamp, .tone = 3.4, .height = 28.0});
     } else {
         const double forward = side == Side::Right ? 2.5 : 0.0;
-        drawBall(surface, {kMiddle + forward, 13.2}, 12.0, 3.4,
+        drawBall(surface, {kFigureMiddle + forward, 13.2}, 12.0, 3.4,
                  {.ramp = &kTimberRamp, .tone = 2.0, .height = 26.0});
-        drawBall(surface, {kMiddle, 10.0}, 7.8, 5.4,
+        drawBall(surface, {kFigureMiddle, 10.0}, 7.8, 5.4,
                  {.ramp = &kTimberRamp, .tone = 2.4, .height = 29.0});
     }
 }
@@ -183,8 +184,8 @@ void drawSpear(Surface& surface, double x, double lean, double height) {
 
 // `strength` is 0 for one who stands.
 Picture paintPerson(const Clothes& clothes, Side side, double phase, double strength, bool alert) {
-    const Swing left = swingAt(phase, strength);
-    const Swing right = swingAt(phase + 0.5, strength);
+    const FigureSwing left = swingAt(phase, strength);
+    const FigureSwing right = swingAt(phase + 0.5, strength);
     const double sway = side == Side::Right ? 1.4 * left.ahead : 1.2 * left.ahead;
     Surface surface = Surface::empty(kPersonWidth, kPersonHeight);
     const double spear = side == Side::Right ? 8.0 : side == Side::Back ? 17.0 : -17.0;
@@ -195,7 +196,7 @@ Picture paintPerson(const Clothes& clothes, Side side, double phase, double stre
         drawPersonLeg(surface, clothes, side, 1.0, right, 0.0);
         drawCoat(surface, clothes, side, sway);
         drawHead(surface, clothes, side);
-        if (clothes.isArmed) drawSpear(surface, kMiddle + spear, lean, 30.0);
+        if (clothes.isArmed) drawSpear(surface, kFigureMiddle + spear, lean, 30.0);
         const double ahead = clothes.isArmed ? 0.6 : -right.ahead;
         drawPersonArm(surface, clothes, side, 1.0, ahead, 0.0, 32.0);
     } else {
@@ -207,7 +208,7 @@ Picture paintPerson(const Clothes& clothes, Side side, double phase, double stre
         drawPersonArm(surface, clothes, side, 1.0, left.ahead, 0.0, 5.0);
         drawCoat(surface, clothes, side, sway);
         drawHead(surface, clothes, side);
-        if (clothes.isArmed) drawSpear(surface, kMiddle + spear, lean, 20.0);
+        if (clothes.isArmed) drawSpear(surface, kFigureMiddle + spear, lean, 20.0);
         drawPersonArm(surface, clothes, side, -1.0, right.ahead, 0.0, 22.0);
         drawPersonArm(surface, clothes, side, 1.0, left.ahead, 0.0, 22.0);
     }
@@ -259,7 +260,7 @@ struct Coat {
 constexpr Coat kLambCoat = {&kStoneRamp, 6.2, &kStoneRamp, 2.2, &kStoneRamp, 1.6, 11.5, true};
 constexpr Coat kFoxCoat = {&kClayRamp, 3.6, &kClayRamp, 4.0, &kOakRamp, 1.4, 9.0, false};
 
-void drawAnimalLeg(Surface& surface, const Coat& coat, Place upper, const Swing& swing,
+void drawAnimalLeg(Surface& surface, const Coat& coat, Place upper, const FigureSwing& swing,
                    double stride, double dark, double height) {
     const double foot = upper.x + stride * swing.ahead;
     const double ground = kAnimalHeight - 2.4 - 4.0 * swing.lift;
@@ -345,8 +346,8 @@ void drawBrush(Surface& surface, const Coat& coat, Side side, double sway) {
 }
 
 Picture paintAnimal(const Coat& coat, Side side, double phase, double strength) {
-    const Swing a = swingAt(phase, strength);
-    const Swing b = swingAt(phase + 0.5, strength);
+    const FigureSwing a = swingAt(phase, strength);
+    const FigureSwing b = swingAt(phase + 0.5, strength);
     const double bob = strength * 0.9 * wave(2.0 * phase);
     Surface surface = Surface::empty(kAnimalWidth, kAnimalHeight);
     const double back = 32.0 + bob;

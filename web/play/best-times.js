@@ -21,8 +21,8 @@ export function keepTime(scene, steps) {
   const times = read();
   if (scene === null || !isTime(steps) || times[scene] <= steps) return false;
   // The newest come last, and the oldest are forgotten.
-  const { [scene]: before, ...others } = times;
-  kept = Object.fromEntries([...Object.entries(others), [scene, steps]].slice(-kMost));
+  const others = Object.entries(times).filter(([other]) => other !== scene);
+  kept = Object.fromEntries([...others, [scene, steps]].slice(-kMost));
   try {
     localStorage.setItem(kStorageKey, JSON.stringify(kept));
   } catch {

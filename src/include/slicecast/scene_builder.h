@@ -52,9 +52,9 @@ public:
         double top = 1.0;            // 0 <= bottom < top <= 1
         Half diagonal = Half::none;  // fills this half of its tile, which is cut corner to corner
         std::optional<Rise> rise = {};  // makes the top a slope; not with `diagonal` or `mirror`
-        double light = 1.0;          // share of the map's light that its faces receive, 0 to 1
-        double mirror = 0.0;         // how strongly its top mirrors what is above, 0 to 1
-        char32_t character = 0;      // for Game::setCell; 0 for none
+        double light = 1.0;             // share of the map's light that its faces receive, 0 to 1
+        double mirror = 0.0;            // how strongly its top mirrors what is above, 0 to 1
+        char32_t character = 0;         // for Game::setCell; 0 for none
     };
     struct MapSpec {
         std::string name = {};                 // not empty, unique
