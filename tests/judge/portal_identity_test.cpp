@@ -36,13 +36,23 @@ void fillTiles(World& world) {
     markPlans(world);
 }
 
+// Ripples end at portals.
+void calm(World& world) {
+    for (Map& map : world.maps) map.floor.ripples = 0;
+    for (CellBlueprint& blueprint : world.blueprints)
+        blueprint.faces[static_cast<std::size_t>(Face::top)].ripples = 0;
+}
+
 // A turned block is of another blueprint, so that it does not join the one before the portal; and a
 // panorama must have quarters.
 void prepareForTurn(World& world, int turn) {
     fillTiles(world);
+    calm(world);
     if (turn == 0) return;
     for (CellBlueprint& blueprint : world.blueprints) blueprint.join = false;
     Sky& sky = world.maps[0].sky;
+    sky.stars = {};  // like the clouds, they cannot be turned
+    sky.clouds = {};
     if (sky.kind != Sky::Kind::panorama) return;
     Image wider(sky.panorama.width * 4, sky.panorama.height);
     for (int y = 0; y < wider.height; ++y) {

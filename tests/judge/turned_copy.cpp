@@ -1,5 +1,7 @@
 #include "turned_copy.h"
 
+#include "base/angle.h"
+
 #include <utility>
 
 namespace slicecast::judge {
@@ -79,6 +81,11 @@ int addTurnedCopy(World& world, int index, int turn) {
         for (FaceBlueprint& face : block.faces) face.portal = kNoPortal;
         block.plan = turned(block.plan, turn);
         block.slopes = turned(block.slopes, turn);
+        for (int quarter = 0; quarter < turn; ++quarter) {
+            const Coordinate east = block.textureEast;
+            block.textureEast = {-block.textureSouth.raw & 0xffff};
+            block.textureSouth = east;
+        }
         FaceBlueprint& top = block.faces[static_cast<std::size_t>(Face::top)];
         FaceBlueprint& bottom = block.faces[static_cast<std::size_t>(Face::bottom)];
         // Water may lack faces.
@@ -110,9 +117,13 @@ int addTurnedCopy(World& world, int index, int turn) {
                                      original.depth * kTileSide, turn, 0);
         object.x = {at.x};
         object.y = {at.y};
+        for (int quarter = 0; quarter < turn; ++quarter)
+            object.facingX = {-std::exchange(object.facingY, object.facingX).raw};
     }
     if (original.sky.kind == Sky::Kind::panorama)
         copy.sky.panorama = turnedPanorama(original.sky.panorama, turn);
+    for (SkyDisc* const disc : {&copy.sky.sun, &copy.sky.moon})
+        disc->azimuth = wrapDegrees(disc->azimuth + 90.0 * turn);
     world.maps.push_back(std::move(copy));
     return static_cast<int>(world.maps.size()) - 1;
 }

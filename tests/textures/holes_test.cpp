@@ -87,7 +87,11 @@ TEST(Holes, TheColourOfAHoleIsAmongThoseBesideIt) {
             continue;
         }
         const Image image = frameOf(entry, 0);
+        const int rows = image.height / entry.views;
         for (int y = 1; y + 1 < image.height; ++y) {
+            if (y % rows == 0 || y % rows == rows - 1) {
+                continue;
+            }
             for (int x = 1; x + 1 < image.width; ++x) {
                 const Colour own = toColour(image.at(x, y));
                 std::array<int, 3> low = {255, 255, 255};

@@ -74,7 +74,8 @@ TEST(Textures, Sizes) {
         if (entry.use == Use::Sprite) {
             EXPECT_EQ(image.width % entry.frames, 0) << entry.name;
             EXPECT_LE(image.width, 1024) << entry.name;
-            EXPECT_LE(image.height, 256) << entry.name;
+            EXPECT_EQ(image.height % entry.views, 0) << entry.name;
+            EXPECT_LE(image.height, 256 * entry.views) << entry.name;
             continue;
         }
         const bool sky = entry.use == Use::Sky;

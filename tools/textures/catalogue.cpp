@@ -243,6 +243,13 @@ Entry sprite(const char* name, Picture (*paint)(), int frames = 1, bool stands =
             .stands = stands};
 }
 
+// The same with a row for each of its four sides.
+Entry figure(const char* name, Picture (*paint)(), int frames = 1) {
+    Entry entry = sprite(name, paint, frames);
+    entry.views = 4;
+    return entry;
+}
+
 std::vector<Entry> sprites() {
     return {
         sprite("oak", paintOak),
@@ -264,18 +271,18 @@ std::vector<Entry> sprites() {
         sprite("swan", paintSwan),
         sprite("cypress", paintCypress),
         sprite("fountain", paintFountain, kFountainFrames),
-        sprite("keeper", paintKeeper),
-        sprite("keeper-walking", paintKeeperWalking, kFigureFrames),
-        sprite("guard", paintGuard),
-        sprite("guard-walking", paintGuardWalking, kFigureFrames),
-        sprite("guard-alert", paintGuardAlert),
-        sprite("lamb", paintLamb),
-        sprite("lamb-walking", paintLambWalking, kFigureFrames),
-        sprite("fox", paintFox),
-        sprite("fox-running", paintFoxRunning, kFigureFrames),
+        figure("keeper", paintKeeper),
+        figure("keeper-walking", paintKeeperWalking, kFigureFrames),
+        figure("guard", paintGuard),
+        figure("guard-walking", paintGuardWalking, kFigureFrames),
+        figure("guard-alert", paintGuardAlert),
+        figure("lamb", paintLamb),
+        figure("lamb-walking", paintLambWalking, kFigureFrames),
+        figure("fox", paintFox),
+        figure("fox-running", paintFoxRunning, kFigureFrames),
         sprite("shell", paintShell, kKeepsakeFrames),
         sprite("moonflower", paintMoonflower, kKeepsakeFrames),
-        sprite("crystal", paintCrystal, kKeepsakeFrames),
+        sprite("crystal", paintCrystal, kKeepsakeFrames, false),
         sprite("lantern", paintLantern, kKeepsakeFrames),
         sprite("spray", paintSpray, kLoopFrames, false),
     };

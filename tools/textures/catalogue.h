@@ -24,6 +24,7 @@ struct Entry {
     int frames = 1;      // side by side, equally wide; a sheet's are square
     bool loops = false;  // whether the first frame continues the last
     bool stands = true;  // a sprite with its feet on the lowest row
+    int views = 1;       // of a sprite: rows, one for each of its sides
 };
 
 const std::vector<Entry>& catalogue();
