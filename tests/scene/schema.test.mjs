@@ -63,8 +63,9 @@ test('the schema describes every key, so that an editor can explain it', () => {
     }
     if (node.properties)
       assert.equal(node.additionalProperties, false, `${path} lets unknown keys pass`);
+    // A condition repeats keys without explaining them.
     for (const [key, child] of Object.entries(node))
-      if (child && typeof child === 'object') visit(child, `${path}/${key}`);
+      if (key !== 'if' && child && typeof child === 'object') visit(child, `${path}/${key}`);
   };
   visit(schema, '');
   assert.ok(count > 50);
