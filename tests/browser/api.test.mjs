@@ -27,12 +27,19 @@ const kCallbacks = [
 ];
 const kOfEveryElement = ['constructor', 'focus'];
 
+// A way through a portal, with a message, a find and the goal on it.
 const portalScene = {
   ...roomScene(),
+  sprites: { coin: 'pictures/yellow.png' },
+  game: { aim: 'Go east.' },
   maps: ['room', 'next'].map((name) => ({
     ...roomScene().maps[0],
     name,
-    portals: name === 'room' ? [{ x: 4, y: 3, to: { map: 'next', x: 2, y: 3 } }] : [],
+    ...(name === 'room' && {
+      portals: [{ x: 4, y: 3, to: { map: 'next', x: 2, y: 3 } }],
+      objects: [{ sprite: 'coin', x: 3.9, y: 3.5, height: 0.2, find: { kind: 'coin' } }],
+      messages: [{ text: 'Here.', x: 3, y: 3 }],
+    }),
   })),
 };
 
