@@ -168,10 +168,13 @@ void addSliders(Random& random, World& world) {
             const Cell at = anyCell(random, map);
             const Cell next = {at.x + (axis == Axis::x ? 1 : 0), at.y + (axis == Axis::y ? 1 : 0),
                                at.level};
-            // Nothing else may move in their columns
+            // Nothing else may move in their columns, or to them from the tiles before
             const auto isTaken = [&](const Cell& cell) {
                 for (int level = 0; level < map.levels; ++level) {
-                    if (!world.blueprints[map.cell(cell.x, cell.y, level)].isStill()) return true;
+                    for (const auto& [x, y] :
+                         {std::pair{cell.x, cell.y}, {cell.x - 1, cell.y}, {cell.x, cell.y - 1}}) {
+                        if (!world.blueprints[map.cell(x, y, level)].isStill()) return true;
+                    }
                 }
                 return false;
             };
