@@ -349,14 +349,15 @@ void addSkyAndRipples(Random& random, World& world) {
                          .colour = colour()};
         map.sky.sun = disc();
         map.sky.moon = disc();
-        map.sky.clouds = {
-            .shape = makeCloudCover(static_cast<std::uint32_t>(random.between(0, 1 << 30)),
-                                    random.between(kMinCloudSize, 2.0)),
-            .cover = random.unit(),
-            .speed = random.between(-kMaxCloudSpeed, kMaxCloudSpeed),
-            .opacity = random.unit(),
-            .colour = colour(),
-            .shade = colour()};
+        // One after the other: compilers differ in the order of arguments
+        const auto seed = static_cast<std::uint32_t>(random.between(0, 1 << 30));
+        const double size = random.between(kMinCloudSize, 2.0);
+        map.sky.clouds = {.shape = makeCloudCover(seed, size),
+                          .cover = random.unit(),
+                          .speed = random.between(-kMaxCloudSpeed, kMaxCloudSpeed),
+                          .opacity = random.unit(),
+                          .colour = colour(),
+                          .shade = colour()};
         map.floor.ripples = channel();
     }
     for (CellBlueprint& block : world.blueprints)
