@@ -29,8 +29,9 @@ int wave(int phase) {
     return ((f * (128 - f)) ^ sign) - sign;
 }
 
-// How high the waves are at a point, in 1/256 units.
 constexpr int kHighestWave = 512;
+
+// How high the waves are at a point, in 1/256 units; from -kHighestWave to kHighestWave.
 int waveAt(int x, int y, int step) {
     return (2 * wave((5 * x + 3 * y + 8 * step) >> 3) + wave((9 * y - 4 * x + 8 * step) >> 2) +
             wave((11 * x - 6 * y + 10 * step) >> 2)) >>
