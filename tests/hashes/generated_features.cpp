@@ -307,9 +307,12 @@ void addLight(Random& random, World& world) {
     const auto channel = [&] { return static_cast<std::uint8_t>(random.below(256)); };
     const auto colour = [&] { return Colour{channel(), channel(), channel(), 255}; };
     const auto kind = [&] {
-        return LampKind{.colour = colour(),
-                        .strength = random.between(0.1, 4.0),
-                        .radius = {random.between(20000, 6 * 65536)}};
+        // Not in one expression: of that, clang 14 gives the colour of the next lamp in WebAssembly
+        LampKind made;
+        made.colour = colour();
+        made.strength = random.between(0.1, 4.0);
+        made.radius = {random.between(20000, 6 * 65536)};
+        return made;
     };
     for (int i = 0; i < 4; ++i) world.lampKinds.push_back(kind());
     for (Map& map : world.maps) {

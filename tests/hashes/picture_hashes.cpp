@@ -178,7 +178,7 @@ struct Shown {
 
 void printGenerated(std::uint64_t seed, Shown& shown) {
     constexpr int kViews = 4;
-    // "lit" as in generatedWorld: tools/test knows these by name
+    // "lit" as in generatedWorld
     const std::string name = "generated " + std::to_string(seed) + (seed % 6 >= 3 ? " lit" : "");
     Renderer renderer;
     World world = generatedWorld(seed);
