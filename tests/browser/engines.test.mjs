@@ -64,7 +64,7 @@ test('two canvases on one page draw their own pictures and get their own keys', 
   });
   await page.waitForFunction(() => window.engines?.every((engine) => engine.isReady));
   assert.equal(
-    server.asked.filter((name) => name.endsWith('.wasm')).length,
+    server.asked.filter((name) => name.endsWith('simd.wasm')).length,
     1,
     'one program serves both',
   );

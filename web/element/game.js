@@ -135,6 +135,11 @@ export class Game {
     if (matchMedia('(prefers-reduced-motion: reduce)').matches) this.engine.setOption('bob', 'off');
   }
 
+  // Loads what no first picture needs.
+  complete() {
+    return this.engine.complete();
+  }
+
   // Sets these options, and restores those that were set before and are no longer named. Refused
   // options are reported to `warn`.
   setOptions(pairs, warn) {

@@ -173,6 +173,8 @@ export class Loading {
       this.#game.begin();
       await picture;
       if (isStale()) return;
+      await this.#game.complete();
+      if (isStale()) return;
       this.isLoading = false;
       this.#settle();
     } catch (error) {

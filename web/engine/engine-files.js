@@ -15,9 +15,14 @@ const kBuilds = {
   simd: () => new URL('./slicecast-simd.wasm', import.meta.url),
   scalar: () => new URL('./slicecast-scalar.wasm', import.meta.url),
 };
+// What no first picture needs is a part of its own (tools/split-program.mjs). Browsers without SIMD
+// may also lack what such a part takes.
+const kLater = {
+  simd: () => new URL('./slicecast-simd-later.wasm', import.meta.url),
+};
 
-// Returns {kind, program, openCanvas} for Engine.create. onBytes counts bytes; `total` is 0 while
-// it is unknown. Throws a Trouble.
+// Returns {kind, program, later, openCanvas} for Engine.create; `later` is a LaterPart, or null.
+// onBytes counts bytes; `total` is 0 while it is unknown. Throws a Trouble.
 export async function fetchEngine({ kind = 'auto', onBytes = () => {} } = {}) {
   if (!browserHasWebAssembly()) {
     throw new Trouble(
@@ -29,7 +34,64 @@ export async function fetchEngine({ kind = 'auto', onBytes = () => {} } = {}) {
   }
   const chosen = chooseBuild(kind);
   const address = reachable(kBuilds[chosen], `engine/slicecast-${chosen}.wasm`, kHome);
-  return { kind: chosen, program: await compileProgram(address.href, onBytes), openCanvas };
+  const later =
+    chosen in kLater
+      ? new LaterPart(
+          reachable(kLater[chosen], `engine/slicecast-${chosen}-later.wasm`, kHome).href,
+        )
+      : null;
+  const [program] = await Promise.all([
+    compileProgram(address.href, onBytes),
+    canCompileNow() ? null : later?.load(),
+  ]);
+  return { kind: chosen, program, later, openCanvas };
+}
+
+class LaterPart {
+  program = null; // once it has loaded
+  #address;
+  #loading = null;
+
+  constructor(address) {
+    this.#address = address;
+  }
+
+  // Throws a Trouble; then it may be called again.
+  async load() {
+    this.#loading ??= compileProgram(this.#address, () => {});
+    try {
+      this.program ??= await this.#loading;
+    } catch (error) {
+      this.#loading = null;
+      throw error;
+    }
+  }
+
+  // For the rare first picture that needs it after all: the page stands still meanwhile.
+  readNow() {
+    if (this.program !== null) return this.program;
+    const request = new XMLHttpRequest();
+    request.open('GET', this.#address, false);
+    request.overrideMimeType('text/plain; charset=x-user-defined'); // each byte as a character
+    request.send();
+    if (request.status !== 200)
+      throw cannotLoad(this.#address, coded('fetch', `the server answers ${request.status}`));
+    const bytes = Uint8Array.from(request.response, (character) => character.charCodeAt(0));
+    checkBeginning(bytes);
+    return (this.program = new WebAssembly.Module(bytes));
+  }
+}
+
+// Chromium before 115 refuses to compile more than 4 KB while the page waits.
+function canCompileNow() {
+  const bytes = new Uint8Array(5010); // a program with nothing but 5,000 bytes of comment
+  bytes.set([0, 0x61, 0x73, 0x6d, 1, 0, 0, 0, 0, 0x87, 0x27]);
+  try {
+    new WebAssembly.Module(bytes);
+    return true;
+  } catch {
+    return false;
+  }
 }
 
 async function compileProgram(address, onBytes) {

@@ -6,12 +6,16 @@
 //
 // `program` is compiled and may be instantiated any number of times; openCanvas is that of
 // engine-canvas.js. Keys for which `takesKey(code)` is false are left to the page.
+//
+// A program may lack its later part: what no first picture needs (tools/split-program.mjs). Then
+// `later` has `program`, that part compiled or null, and readNow(), which returns it at once. It is
+// put in by `await module.complete()`, or when one of its functions is called.
 
 const kPageBytes = 65536;
 
 export async function createModule(
   program,
-  { canvas = null, openCanvas, onSlicecast = () => {}, takesKey = () => true } = {},
+  { canvas = null, openCanvas, onSlicecast = () => {}, takesKey = () => true, later = null } = {},
 ) {
   const decoder = new TextDecoder();
   const module = {
@@ -87,12 +91,33 @@ export async function createModule(
       // No more memory: the engine has what it needs for now.
     }
   };
+  let isComplete = later === null;
+  // Stands in for the functions of the later part, by their place in the table of functions.
+  const missing = new Proxy(
+    {},
+    {
+      get:
+        (_, place) =>
+        (...values) => {
+          if (!isComplete) new WebAssembly.Instance(later.readNow(), { primary: exports });
+          isComplete = true;
+          return exports.__indirect_function_table.get(Number(place))(...values);
+        },
+    },
+  );
   // src/wasm/imports.txt lists what a program may ask for.
   const { exports } = await WebAssembly.instantiate(program, {
     page,
     wasi_snapshot_preview1: system,
     env: { emscripten_notify_memory_growth: growFurther },
+    placeholder: missing,
   });
+  module.complete = async () => {
+    if (isComplete) return;
+    await WebAssembly.instantiate(later.program, { primary: exports });
+    isComplete = true;
+  };
+  if (later?.program) await module.complete();
   exports._initialize();
   for (const [name, value] of Object.entries(exports)) module[`_${name}`] = value;
   // Draws now instead of in the requested frame.

@@ -24,6 +24,7 @@ const kButtons = { jump: 1, fast: 2, slow: 4, use: 8, open: 16, close: 32 };
 export class Engine {
   #running; // the module; null once stopped
   #session;
+  #later; // part of the program, or null
   #begun = false;
   #loads = 0;
   #mapNames = [];
@@ -35,9 +36,10 @@ export class Engine {
     const onSlicecast = (event, value) =>
       onEvent(event, event === 'hits' ? engine.#hitsOf(value) : value);
     try {
-      const { program, openCanvas } = files;
-      const module = await createModule(program, { canvas, openCanvas, onSlicecast, takesKey });
-      engine = new Engine(module, canvas);
+      const { program, openCanvas, later } = files;
+      const page = { canvas, openCanvas, onSlicecast, takesKey, later };
+      engine = new Engine(await createModule(program, page), canvas);
+      engine.#later = later;
       return engine;
     } catch (error) {
       throw new Trouble('The engine does not start', error.message);
@@ -104,6 +106,12 @@ export class Engine {
     this.#startMap = other.#startMap;
     this.#sceneEnd = other.#sceneEnd;
     return this.#module._slicecast_adopt() === 1;
+  }
+
+  // Loads the rest of the program, if there is one. Throws a Trouble.
+  async complete() {
+    await this.#later?.load();
+    await this.#running?.complete();
   }
 
   // Starts drawing into the canvas and listening to it. Later calls do nothing.

@@ -25,13 +25,17 @@ export async function readEngine(kind) {
 }
 
 async function readBuild(kind) {
-  const { bytes } = await readAt(new URL(`engine/slicecast-${kind}.wasm`, kPackage)).catch(
-    ({ message }) => {
-      throw coded(
-        'fetch',
-        `${message}. The engine lies in the package slicecast, which a bundled program must leave external`,
-      );
-    },
-  );
-  return { kind, program: await WebAssembly.compile(bytes) };
+  const program = await readProgram(`slicecast-${kind}.wasm`);
+  const later = kind === 'simd' ? await readProgram('slicecast-simd-later.wasm') : null;
+  return { kind, program, later: later && { program: later, load() {} } };
+}
+
+async function readProgram(name) {
+  const { bytes } = await readAt(new URL(`engine/${name}`, kPackage)).catch(({ message }) => {
+    throw coded(
+      'fetch',
+      `${message}. The engine lies in the package slicecast, which a bundled program must leave external`,
+    );
+  });
+  return WebAssembly.compile(bytes);
 }

@@ -1,0 +1,102 @@
+// The engine comes in two parts: the first picture needs only the first one.
+
+import assert from 'node:assert/strict';
+import { after, before, test } from 'node:test';
+import { shippedScenes } from '../wasm/load.mjs';
+import { launch } from './browser.mjs';
+import { openGuest, ready, until } from './guest-page.mjs';
+
+const kLater = 'engine/slicecast-simd-later.wasm';
+const names = shippedScenes.map((path) => path.replace(/^.*\/|\.json$/g, ''));
+
+let browser;
+before(async () => {
+  browser = await launch();
+});
+after(() => browser.close());
+
+// Whether the element has drawn: its canvas is not empty.
+function isDrawn() {
+  const canvas = document.querySelector('ray-caster').shadowRoot.querySelector('canvas');
+  if (canvas === null || canvas.width === 0) return false;
+  const { data } = canvas.getContext('2d').getImageData(0, 0, canvas.width, 1);
+  return data[3] === 255;
+}
+
+// A page with one element, and a server that keeps the later part until `release` is called.
+async function openHeld(t, attributes) {
+  let release;
+  const held = new Promise((resolve) => {
+    release = resolve;
+  });
+  const { page, server } = await openGuest(t, browser, {
+    body: `<ray-caster loading="eager" ${attributes} style="width: 320px"></ray-caster>`,
+    server: { mayGo: (name) => (name === kLater ? held : undefined) },
+  });
+  t.signal.addEventListener('abort', release);
+  return { page, server, release };
+}
+
+for (const name of names) {
+  test(`the first picture of ${name} comes without the later part`, async (t) => {
+    const { page, server, release } = await openHeld(t, `scene="${name}"`);
+    await until(page, isDrawn);
+    assert.equal(
+      await page.evaluate(() => document.querySelector('ray-caster').state),
+      'loading',
+      'ready only when it is whole',
+    );
+    release();
+    await ready(page);
+    assert.equal(server.asked.filter((asked) => asked === kLater).length, 1, 'asked for once');
+  });
+}
+
+test('a first picture that needs the later part waits for it', async (t) => {
+  const { page, server } = await openGuest(t, browser, {
+    body: '<ray-caster scene="room" options="method=classic" style="width: 320px"></ray-caster>',
+  });
+  await ready(page);
+  assert.ok(server.asked.includes(kLater));
+  assert.ok(await until(page, isDrawn));
+});
+
+test('two elements share both parts', async (t) => {
+  const one = '<ray-caster scene="room" style="width: 320px"></ray-caster>';
+  const { page, server } = await openGuest(t, browser, { body: one + one });
+  await ready(page);
+  assert.equal(server.asked.filter((asked) => asked === kLater).length, 1);
+});
+
+test('a browser that compiles only while the page goes on gets both parts first', async (t) => {
+  const { page, server } = await openGuest(t, browser, {
+    prepare: (opened) =>
+      opened.addInitScript(() => {
+        const { Module } = WebAssembly;
+        WebAssembly.Module = class extends Module {
+          constructor(bytes) {
+            if (bytes.byteLength > 4096) throw new RangeError('Not on the main thread');
+            super(bytes);
+          }
+        };
+      }),
+  });
+  await ready(page);
+  assert.equal(server.asked.filter((asked) => asked === kLater).length, 1);
+});
+
+test('a later part that is not there is explained', async (t) => {
+  const { page } = await openGuest(t, browser, {
+    server: { files: { [kLater]: null } },
+    expectErrors: true,
+  });
+  const message = await page.evaluate(
+    () =>
+      new Promise((resolve) => {
+        const element = document.querySelector('ray-caster');
+        element.addEventListener('error', ({ detail }) => resolve(detail.message ?? `${detail}`));
+        element.whenReady().catch(({ message }) => resolve(message));
+      }),
+  );
+  assert.match(message, /slicecast-simd-later\.wasm: the server answers 404/);
+});

@@ -1,0 +1,114 @@
+// Splits the engine's program in two, so that a page shows its first picture sooner: what draws it,
+// and the later part. What draws it is found by a try: the scenes of the page and of the tutorial
+// are loaded, drawn and walked a little, and each function that is called stays in the first part.
+//
+//     node tools/split-program.mjs BINARYEN WEB NAME FEATURE...
+//
+// BINARYEN is the folder of wasm-split and wasm-opt, which come with Emscripten. WEB is the page's
+// folder: WEB/engine/NAME.wasm becomes the first part, WEB/engine/NAME-later.wasm the later one.
+// Features are spelled as Binaryen's options: --enable-simd.
+
+import { execFileSync } from 'node:child_process';
+import {
+  copyFileSync,
+  mkdtempSync,
+  readFileSync,
+  readdirSync,
+  rmSync,
+  writeFileSync,
+} from 'node:fs';
+import { tmpdir } from 'node:os';
+import { join, resolve } from 'node:path';
+import { pathToFileURL } from 'node:url';
+
+const kStepsOfAScene = 12; // each shipped scene, before another picture
+const kProfileBytes = 1 << 20;
+
+const [binaryen, web, name, ...features] = process.argv.slice(2);
+const folder = mkdtempSync(join(tmpdir(), 'slicecast-split-'));
+try {
+  const whole = resolve(web, 'engine', `${name}.wasm`);
+  const later = resolve(web, 'engine', `${name}-later.wasm`);
+  const watched = join(folder, 'watched.wasm');
+  const profile = join(folder, 'profile');
+  const first = join(folder, 'first.wasm');
+  run('wasm-split', '--instrument', whole, '-o', watched, '--profile-export=write_profile');
+  writeFileSync(profile, await profileOf(readFileSync(watched)));
+  run('wasm-split', whole, `--profile=${profile}`, '-o1', first, '-o2', later, '--export-prefix=%');
+  for (const part of [first, later]) run('wasm-opt', '-Oz', part, '-o', part);
+  copyFileSync(first, whole);
+} finally {
+  rmSync(folder, { recursive: true });
+}
+
+function run(program, ...values) {
+  execFileSync(join(binaryen, program), [...values, ...features], {
+    stdio: ['ignore', 'inherit', 'inherit'],
+  });
+}
+
+// Which functions the engine calls for the first pictures of all shipped scenes, as Binaryen
+// writes it.
+async function profileOf(bytes) {
+  const module = (path) => import(pathToFileURL(resolve(web, path)));
+  const { Engine } = await module('engine/engine.js');
+  const { openScene } = await module('node/scene-files.js');
+  const program = await WebAssembly.compile(bytes);
+  // The window's part of engine-module.js and engine-canvas.js
+  const frames = [];
+  globalThis.requestAnimationFrame = (frame) => frames.push(frame);
+  globalThis.cancelAnimationFrame = () => {};
+  const canvas = { blur() {} };
+  const running = [];
+  const openCanvas = (_, exports) => {
+    running.push(exports);
+    exports.slicecast_steerByCursor(1);
+    return { show() {}, close() {} };
+  };
+
+  const files = { program, openCanvas, later: null };
+  const engine = await Engine.create({ files, canvas });
+  for (const file of [...scenesIn('scenes'), ...scenesIn('learn/scenes')]) {
+    const faults = await engine.loadScene(openScene(file));
+    if (faults.length > 0) throw new Error(`${file}: ${faults[0].message}`);
+    // What the element asks of it before it plays
+    engine.paused = true;
+    engine.setMouse({ degreesPerPixel: 0.1, invert: false });
+    engine.look(engine.view);
+    engine.setOption('bob', engine.option('bob'));
+    engine.begin();
+    engine.resize(640, 400);
+    frames.at(-1)?.(0);
+    engine.paused = false;
+    for (let frame = 0; frame < 8; ++frame) frames.at(-1)?.(16 * frame);
+    engine.step({ forward: 1, turn: 0.3, jump: true }, kStepsOfAScene);
+    frames.at(-1)?.(200);
+  }
+  const twin = await Engine.create({ files, canvas });
+  if (!twin.adopt(engine)) throw new Error('an engine cannot adopt the scene of another');
+  twin.begin();
+  frames.at(-1)?.(0);
+  twin.stop();
+  engine.stop();
+  return merged(running.map(takeProfile));
+}
+
+function scenesIn(folder) {
+  return readdirSync(resolve(web, folder))
+    .filter((name) => name.endsWith('.json') && name !== 'index.json')
+    .map((name) => resolve(web, folder, name));
+}
+
+function takeProfile(exports) {
+  const at = exports.malloc(kProfileBytes);
+  const size = exports.write_profile(at, kProfileBytes);
+  return new Uint32Array(exports.memory.buffer.slice(at, at + size));
+}
+
+// A profile is two numbers for the program, and one for each function: 0 if it was not called.
+function merged(profiles) {
+  const [first, ...others] = profiles;
+  return first.map((number, index) =>
+    Math.max(number, ...others.map((profile) => (index < 2 ? 0 : profile[index]))),
+  );
+}
