@@ -153,36 +153,43 @@ void readGame(Reading& reading, JsonValue value) {
 }  // namespace
 
 void readFind(Reading& reading, JsonValue value, int object) {
-    Checker& checker = reading.checker;
     Quest& quest = reading.description.world.quest;
     if (quest.finds.size() == kMaxFinds) {
-        checker.add(value, {"more than ", kMaxFinds, " finds"},
-                    {"at most ", kMaxFinds, " in a scene"});
+        reading.checker.add(value, {"more than ", kMaxFinds, " finds"},
+                            {"at most ", kMaxFinds, " in a scene"});
         return;
     }
+    std::optional<Find> find = readFindKind(reading, value);
+    if (!find) return;
+    find->map = static_cast<int>(reading.description.world.maps.size());
+    find->object = object;
+    quest.finds.push_back(std::move(*find));
+}
+
+std::optional<Find> readFindKind(Reading& reading, JsonValue value) {
+    Checker& checker = reading.checker;
+    Quest& quest = reading.description.world.quest;
     Find find;
-    find.map = static_cast<int>(reading.description.world.maps.size());
-    find.object = object;
     std::optional<JsonValue> kind = value;
     if (!value.isText()) {
         const auto fields = checker.fields(value, {"kind", "message"},
                                            "a find: its name, or an object with \"kind\"");
-        if (!fields) return;
+        if (!fields) return std::nullopt;
         const auto named = fields->require("kind", "the find's name");
         if (const auto message = fields->find("message"))
             find.message = readMessage(checker, *message);
-        if (!named) return;
+        if (!named) return std::nullopt;
         kind = *named;
     }
     const auto name = checker.text(*kind, kMaxNameLength, "the find's name");
-    if (!name) return;
+    if (!name) return std::nullopt;
     const auto known = reading.findKinds.find(*name);
     find.kind = known.value_or(static_cast<std::uint16_t>(quest.kinds.size()));
     if (!known) {
         quest.kinds.push_back({.name = *name});
         reading.findKinds.add(kind->text(), find.kind);
     }
-    quest.finds.push_back(std::move(find));
+    return find;
 }
 
 void readObjectMessage(Reading& reading, JsonValue value, int object) {
