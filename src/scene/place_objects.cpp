@@ -54,15 +54,19 @@ void placeObjects(Reading& reading) {
         for (const SowingOrder& order : reading.sowings) {
             if (order.map != map) continue;
             if (!taken) taken.emplace(world.maps[map]);
-            const std::size_t before = world.maps[map].objects.size();
+            const std::size_t finds = world.quest.finds.size();
             const Sown sown = sowObjects(world, static_cast<int>(map), order.sowing, *taken);
             if (sown != Sown::all) {
                 refuse(reading, order.value, sown);
                 return;
             }
-            if (order.sowing.find && world.maps[map].objects.size() == before) {
+            if (!order.sowing.find) continue;
+            const std::size_t count = world.quest.finds.size() - finds;
+            if (count == 0) {
                 reading.checker.warn(order.value, "a find that is sown nowhere",
                                      "more density, or ground where it has room");
+            } else {
+                reading.addAim(Aim::What::finds, order.value, finds, count);
             }
         }
     }

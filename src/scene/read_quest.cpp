@@ -146,6 +146,7 @@ void readGame(Reading& reading, JsonValue value) {
             goal.map = checker.name(*map, reading.maps, "map").value_or(0);
         goal.area = readArea(*place);
         if (checker.count() == 0) checkArea(reading, *at, *goal.map, goal.area, "a goal");
+        reading.addAim(Aim::What::goal, *at, 0);
     }
     if (!goal.needs.none() || goal.map) quest.goal = goal;
 }
@@ -163,6 +164,7 @@ void readFind(Reading& reading, JsonValue value, int object) {
     if (!find) return;
     find->map = static_cast<int>(reading.description.world.maps.size());
     find->object = object;
+    reading.addAim(Aim::What::finds, value, quest.finds.size());
     quest.finds.push_back(std::move(*find));
 }
 
@@ -210,7 +212,9 @@ void readObjectMessage(Reading& reading, JsonValue value, int object) {
         notice.near = toCoordinate(fields->number("near", kNoticeNear, kUsualNear.value()));
         notice.once = fields->flag("once", false);
     }
-    reading.description.world.quest.notices.push_back(std::move(notice));
+    std::vector<Notice>& notices = reading.description.world.quest.notices;
+    reading.addAim(Aim::What::notice, value, notices.size());
+    notices.push_back(std::move(notice));
 }
 
 void readMessages(Reading& reading, JsonValue value) {
@@ -232,8 +236,10 @@ void readMessages(Reading& reading, JsonValue value) {
         notice.area = readArea(*fields);
         notice.near = toCoordinate(fields->number("near", kNoticeNear, 0.0));
         notice.once = fields->flag("once", false);
-        reading.placedNotices.push_back({element, reading.description.world.quest.notices.size()});
-        reading.description.world.quest.notices.push_back(std::move(notice));
+        std::vector<Notice>& notices = reading.description.world.quest.notices;
+        reading.placedNotices.push_back({element, notices.size()});
+        reading.addAim(Aim::What::notice, element, notices.size());
+        notices.push_back(std::move(notice));
     }
 }
 

@@ -102,6 +102,10 @@ struct Reading {
     std::vector<PlacedPath> paths = {};
     std::vector<PlacedNeeds> needs = {};
     std::vector<PlacedNotice> placedNotices = {};
+
+    void addAim(Aim::What what, JsonValue value, std::size_t first, std::size_t count = 1) {
+        description.aims.push_back({what, first, count, checker.faultAt(value)});
+    }
 };
 
 // "textures": { NAME: FILE, "#rrggbb" or { file, frames, rate, material, variants } }; a sheet

@@ -96,7 +96,8 @@ TEST(QuestScenes, FindsMayBeSown) {
     const std::string game = R"("game": { "aim": "Take all.", "needs": ["apple", "key"] },)";
     const auto sown = [&](const std::string& density) {
         return loadText(hunt(R"("needs": "apple")", game,
-                             std::string(kCoins) + R"(, "sow": [{ "sprite": "coin", "height": 0.3, "clear": 0,
+                             std::string(kCoins) +
+                                 R"(, "sow": [{ "sprite": "coin", "height": 0.3, "clear": 0,
             "find": { "kind": "apple", "message": "Sweet." }, "density": )" +
                                  density + " }]"));
     };
