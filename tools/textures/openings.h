@@ -9,6 +9,7 @@ namespace slicecast::textures {
 Picture paintDoor();          // in stone-blocks
 Picture paintWindowBrick();   // in brick
 Picture paintWindowLit();     // in brick, a lamp behind the panes
-Picture paintWindowTimber();  // in timber-frame, with shutters
+Picture paintWindowTimber();
+Picture paintWindowTimberLit();  // in timber-frame, with shutters
 
 }  // namespace slicecast::textures
