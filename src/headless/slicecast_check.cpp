@@ -2,6 +2,7 @@
 
 #include "files/scene_file.h"
 #include "files/write_file.h"
+#include "scene/unreached.h"
 
 #include <CLI/CLI.hpp>
 
@@ -37,8 +38,10 @@ int main(int argc, char** argv) {
     for (const std::string& name : scenes) {
         const LoadedScene scene = readSceneFile(name);
         for (const Fault& fault : scene.faults) std::printf("%s\n", describe(fault).c_str());
-        for (const Fault& warning : scene.warnings)
-            std::fprintf(stderr, "warning: %s\n", describe(warning).c_str());
+        for (const std::vector<Fault>& warnings : {scene.warnings, findUnreached(scene)}) {
+            for (const Fault& warning : warnings)
+                std::fprintf(stderr, "warning: %s\n", describe(warning).c_str());
+        }
         if (scene.world) {
             std::printf("%s: ok\n", name.c_str());
         } else {

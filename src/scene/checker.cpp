@@ -73,6 +73,11 @@ void Checker::warn(JsonValue at, const Words& found, const Words& expected) {
     addAt(warnings_, at.offset(), &at, -1, -1, found, expected);
 }
 
+Fault Checker::faultAt(JsonValue at, const Words& found, const Words& expected) const {
+    const TextPosition place = source_.place(at.offset());
+    return {file_, at.pointer(), place.line, place.column, -1, -1, found.str(), expected.str()};
+}
+
 void Checker::add(JsonValue at, const Words& found, const Words& expected) {
     addAt(faults_, at.offset(), &at, -1, -1, found, expected);
 }

@@ -59,6 +59,8 @@ public:
     void addSyntax(const SyntaxFault& fault);
     // For what loads, but is probably a mistake.
     void warn(JsonValue at, const Words& found, const Words& expected);
+    // One that is given to nobody yet.
+    Fault faultAt(JsonValue at, const Words& found = "", const Words& expected = "") const;
 
     // All faults, or warnings, in the order of the text. The checker forgets them.
     std::vector<Fault> take();

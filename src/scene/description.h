@@ -37,8 +37,7 @@ struct TextureReference {
 // A lamp within a block. If the block turns out to be opaque, the lamp is of no use.
 struct HiddenLamp {
     BlueprintId block;
-    std::string pointer;
-    TextPosition place;
+    Fault warning;
 };
 
 struct SceneDescription {
@@ -49,6 +48,7 @@ struct SceneDescription {
     std::vector<TextureReference> sprites;  // in the order of SpriteId
     std::vector<PanoramaReference> panoramas;
     std::vector<HiddenLamp> hiddenLamps;
+    std::vector<Aim> aims;
 };
 
 }  // namespace slicecast

@@ -216,15 +216,10 @@ LoadedScene loadScene(ParsedScene scene, const SceneFiles& files, EarlyImages ea
     if (loaded.faults.empty()) {
         loaded.warnings = std::move(scene.warnings);
         for (HiddenLamp& lamp : description.hiddenLamps) {
-            if (world.blueprints[lamp.block].seeThrough) continue;
-            Fault& warning = loaded.warnings.emplace_back();
-            warning.file = description.fileName;
-            warning.pointer = std::move(lamp.pointer);
-            warning.line = lamp.place.line;
-            warning.column = lamp.place.column;
-            warning.found = "a lamp in a block that no light leaves";
-            warning.expected = "a place in the open";
+            if (!world.blueprints[lamp.block].seeThrough)
+                loaded.warnings.push_back(std::move(lamp.warning));
         }
+        loaded.aims = std::move(description.aims);
         loaded.world = std::move(world);
     }
     return loaded;

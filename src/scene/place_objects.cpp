@@ -28,6 +28,17 @@ void checkRoom(Reading& reading, const PlacedMotion& placed) {
                         "free room for its body: as high as the object and at most 0.4 wide");
 }
 
+void refuse(Reading& reading, JsonValue value, Sown sown) {
+    const std::int64_t most = sown == Sown::tooMany        ? kMaxObjects
+                              : sown == Sown::tooManyFinds ? std::int64_t{kMaxFinds}
+                                                           : kMaxMovingObjects;
+    const char* noun = sown == Sown::tooMany        ? " objects"
+                       : sown == Sown::tooManyFinds ? " finds"
+                                                    : " moving objects";
+    reading.checker.add(value, {"more than ", most, noun, ", counting those before"},
+                        {"at most ", most, " in a scene"});
+}
+
 }  // namespace
 
 void placeObjects(Reading& reading) {
@@ -43,13 +54,20 @@ void placeObjects(Reading& reading) {
         for (const SowingOrder& order : reading.sowings) {
             if (order.map != map) continue;
             if (!taken) taken.emplace(world.maps[map]);
+            const std::size_t finds = world.quest.finds.size();
             const Sown sown = sowObjects(world, static_cast<int>(map), order.sowing, *taken);
-            if (sown == Sown::all) continue;
-            const int most = sown == Sown::tooMany ? kMaxObjects : kMaxMovingObjects;
-            const char* noun = sown == Sown::tooMany ? " objects" : " moving objects";
-            reading.checker.add(order.value, {"more than ", most, noun, ", counting those before"},
-                                {"at most ", most, " in a scene"});
-            return;
+            if (sown != Sown::all) {
+                refuse(reading, order.value, sown);
+                return;
+            }
+            if (!order.sowing.find) continue;
+            const std::size_t count = world.quest.finds.size() - finds;
+            if (count == 0) {
+                reading.checker.warn(order.value, "a find that is sown nowhere",
+                                     "more density, or ground where it has room");
+            } else {
+                reading.addAim(Aim::What::finds, order.value, finds, count);
+            }
         }
     }
 }

@@ -106,8 +106,8 @@ void findHiddenLamps(Reading& reading) {
             isWithin(lamp.y, y, block.plan.north, block.plan.south) &&
             isWithin(lamp.z, level, block.bottom, block.top)) {
             reading.description.hiddenLamps.push_back(
-                {id, placed.value.pointer(),
-                 reading.checker.source().place(placed.value.offset())});
+                {id, reading.checker.faultAt(placed.value, "a lamp in a block that no light leaves",
+                                             "a place in the open")});
         }
     }
 }

@@ -89,6 +89,7 @@ int readGate(Reading& reading, JsonValue value) {
             checker.addAtKey(*once, "a gate that is open for ever",
                              "\"once\" or \"open\", not both");
     }
+    reading.addAim(Aim::What::gates, value, kinds.size());
     kinds.push_back(kind);
     return number;
 }

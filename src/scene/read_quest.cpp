@@ -146,6 +146,7 @@ void readGame(Reading& reading, JsonValue value) {
             goal.map = checker.name(*map, reading.maps, "map").value_or(0);
         goal.area = readArea(*place);
         if (checker.count() == 0) checkArea(reading, *at, *goal.map, goal.area, "a goal");
+        reading.addAim(Aim::What::goal, *at, 0);
     }
     if (!goal.needs.none() || goal.map) quest.goal = goal;
 }
@@ -153,36 +154,44 @@ void readGame(Reading& reading, JsonValue value) {
 }  // namespace
 
 void readFind(Reading& reading, JsonValue value, int object) {
-    Checker& checker = reading.checker;
     Quest& quest = reading.description.world.quest;
     if (quest.finds.size() == kMaxFinds) {
-        checker.add(value, {"more than ", kMaxFinds, " finds"},
-                    {"at most ", kMaxFinds, " in a scene"});
+        reading.checker.add(value, {"more than ", kMaxFinds, " finds"},
+                            {"at most ", kMaxFinds, " in a scene"});
         return;
     }
+    std::optional<Find> find = readFindKind(reading, value);
+    if (!find) return;
+    find->map = static_cast<int>(reading.description.world.maps.size());
+    find->object = object;
+    reading.addAim(Aim::What::finds, value, quest.finds.size());
+    quest.finds.push_back(std::move(*find));
+}
+
+std::optional<Find> readFindKind(Reading& reading, JsonValue value) {
+    Checker& checker = reading.checker;
+    Quest& quest = reading.description.world.quest;
     Find find;
-    find.map = static_cast<int>(reading.description.world.maps.size());
-    find.object = object;
     std::optional<JsonValue> kind = value;
     if (!value.isText()) {
         const auto fields = checker.fields(value, {"kind", "message"},
                                            "a find: its name, or an object with \"kind\"");
-        if (!fields) return;
+        if (!fields) return std::nullopt;
         const auto named = fields->require("kind", "the find's name");
         if (const auto message = fields->find("message"))
             find.message = readMessage(checker, *message);
-        if (!named) return;
+        if (!named) return std::nullopt;
         kind = *named;
     }
     const auto name = checker.text(*kind, kMaxNameLength, "the find's name");
-    if (!name) return;
+    if (!name) return std::nullopt;
     const auto known = reading.findKinds.find(*name);
     find.kind = known.value_or(static_cast<std::uint16_t>(quest.kinds.size()));
     if (!known) {
         quest.kinds.push_back({.name = *name});
         reading.findKinds.add(kind->text(), find.kind);
     }
-    quest.finds.push_back(std::move(find));
+    return find;
 }
 
 void readObjectMessage(Reading& reading, JsonValue value, int object) {
@@ -203,7 +212,9 @@ void readObjectMessage(Reading& reading, JsonValue value, int object) {
         notice.near = toCoordinate(fields->number("near", kNoticeNear, kUsualNear.value()));
         notice.once = fields->flag("once", false);
     }
-    reading.description.world.quest.notices.push_back(std::move(notice));
+    std::vector<Notice>& notices = reading.description.world.quest.notices;
+    reading.addAim(Aim::What::notice, value, notices.size());
+    notices.push_back(std::move(notice));
 }
 
 void readMessages(Reading& reading, JsonValue value) {
@@ -225,8 +236,10 @@ void readMessages(Reading& reading, JsonValue value) {
         notice.area = readArea(*fields);
         notice.near = toCoordinate(fields->number("near", kNoticeNear, 0.0));
         notice.once = fields->flag("once", false);
-        reading.placedNotices.push_back({element, reading.description.world.quest.notices.size()});
-        reading.description.world.quest.notices.push_back(std::move(notice));
+        std::vector<Notice>& notices = reading.description.world.quest.notices;
+        reading.placedNotices.push_back({element, notices.size()});
+        reading.addAim(Aim::What::notice, element, notices.size());
+        notices.push_back(std::move(notice));
     }
 }
 

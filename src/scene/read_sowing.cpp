@@ -78,7 +78,7 @@ void readSown(Reading& reading, JsonValue value) {
     const auto fields =
         checker.fields(value,
                        {"sprite", "density", "seed", "height", "width", "above", "on", "textures",
-                        "clear", "light", "glow", "float", "motion"},
+                        "clear", "light", "glow", "float", "find", "motion"},
                        "something to sow: an object with \"sprite\", \"density\" and \"height\"");
     if (!fields) return;
     Sowing sowing;
@@ -102,6 +102,7 @@ void readSown(Reading& reading, JsonValue value) {
     sowing.object.light = fields->number("light", kUnitRange, 1.0);
     sowing.object.glow = fields->flag("glow", false);
     sowing.object.floats = fields->flag("float", false);
+    if (const auto find = fields->find("find")) sowing.find = readFindKind(reading, *find);
     if (const auto motion = fields->find("motion")) {
         const ReadMotion read = readObjectMotion(reading, *motion);
         if (read.motion.kind == ObjectMotion::Kind::patrol)

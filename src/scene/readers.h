@@ -102,6 +102,10 @@ struct Reading {
     std::vector<PlacedPath> paths = {};
     std::vector<PlacedNeeds> needs = {};
     std::vector<PlacedNotice> placedNotices = {};
+
+    void addAim(Aim::What what, JsonValue value, std::size_t first, std::size_t count = 1) {
+        description.aims.push_back({what, first, count, checker.faultAt(value)});
+    }
 };
 
 // "textures": { NAME: FILE, "#rrggbb" or { file, frames, rate, material, variants } }; a sheet
@@ -132,6 +136,8 @@ void placePaths(Reading& reading);
 // "find" and "message" of the next map's object with this index.
 void readFind(Reading& reading, JsonValue value, int object);
 void readObjectMessage(Reading& reading, JsonValue value, int object);
+// "find" alone: its kind and its message.
+std::optional<Find> readFindKind(Reading& reading, JsonValue value);
 
 // "messages" of the next map: [ { text, x, y, width, depth, bottom, top, near, once } ]
 void readMessages(Reading& reading, JsonValue value);
@@ -141,7 +147,7 @@ void readMessages(Reading& reading, JsonValue value);
 void placeQuest(Reading& reading, FoundValue game);
 
 // "sow" of a map: [ { sprite, density, seed, height, width, above, on, textures, clear, light,
-// glow, motion } ]
+// glow, find, motion } ]
 void readSowing(Reading& reading, JsonValue value);
 
 // Sows objects and checks that moving ones have room. Call it when everything else has been read.

@@ -42,10 +42,21 @@ struct ParsedScene {
 
 ParsedScene parseScene(std::string_view text, const std::string& fileName);
 
+// What a player is to get to, and where the file states it: some of the world's finds, a notice,
+// the gates of a kind, or the goal. For findUnreached in unreached.h.
+struct Aim {
+    enum class What : std::uint8_t { finds, notice, gates, goal };
+    What what = What::finds;
+    std::size_t first = 0;  // index into Quest::finds, Quest::notices or World::gateKinds
+    std::size_t count = 1;
+    Fault place;  // without words
+};
+
 struct LoadedScene {
     std::optional<World> world;  // empty when there are faults
     std::vector<Fault> faults;
     std::vector<Fault> warnings = {};
+    std::vector<Aim> aims = {};
 };
 
 // The bytes of the files by name; a name without an entry is a fault ("could not be read").

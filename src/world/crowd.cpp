@@ -1,5 +1,6 @@
 #include "world/crowd.h"
 
+#include "base/sort.h"
 #include "world/body.h"
 #include "world/object_walk.h"
 #include "world/player.h"
@@ -7,18 +8,10 @@
 
 #include <algorithm>
 #include <cmath>
+#include <tuple>
 
 namespace slicecast {
 namespace {
-
-constexpr int kCells = 1024;  // a power of two
-
-std::size_t cellOf(int map, int x, int y) {
-    const std::uint32_t mixed = static_cast<std::uint32_t>(x) * 73856093u ^
-                                static_cast<std::uint32_t>(y) * 19349663u ^
-                                static_cast<std::uint32_t>(map) * 83492791u;
-    return mixed % kCells;
-}
 
 CrowdBody bodyOf(int map, int motion, const Box& box) {
     const Coordinate half = {(box.east.raw - box.west.raw) / 2};
@@ -33,11 +26,8 @@ CrowdBody bodyOf(int map, int motion, const Box& box) {
             .tileY = (box.north + half).tile()};
 }
 
-void addToCrowd(MovingObjects& moving, CrowdBody body) {
-    int& first = moving.crowdCells[cellOf(body.map, body.tileX, body.tileY)];
-    body.next = first;
-    first = static_cast<int>(moving.crowd.size());
-    moving.crowd.push_back(body);
+bool isListedBefore(const CrowdBody& a, const CrowdBody& b) {
+    return std::tie(a.map, a.tileY, a.tileX) < std::tie(b.map, b.tileY, b.tileX);
 }
 
 // Bodies are round here, so that whoever goes round another comes no closer.
@@ -50,18 +40,21 @@ bool overlap(const CrowdBody& a, const CrowdBody& b) {
 
 // Calls action(other) for bodies in the tiles around, until it returns true or enough are seen.
 template <typename Action>
-void eachNeighbour(const MovingObjects& moving, const CrowdBody& body, Action action) {
+void eachNeighbour(MovingObjects& moving, const CrowdBody& body, Action action) {
     int seen = 0;
-    for (int y = body.y.tile() - 1; y <= body.y.tile() + 1; ++y) {
-        for (int x = body.x.tile() - 1; x <= body.x.tile() + 1; ++x) {
-            for (int i = moving.crowdCells[cellOf(body.map, x, y)]; i >= 0;) {
-                const CrowdBody& other = moving.crowd[static_cast<std::size_t>(i)];
-                i = other.next;
-                if (other.motion == body.motion || other.map != body.map || other.tileX != x ||
-                    other.tileY != y)
-                    continue;
-                if (++seen > kMostNeighbours || action(other)) return;
-            }
+    CrowdBody first;  // of the tiles around in a row
+    first.map = body.map;
+    first.tileX = body.x.tile() - 1;
+    for (int row = -1; row <= 1; ++row) {
+        first.tileY = body.y.tile() + row;
+        for (auto other =
+                 std::lower_bound(moving.crowd.begin(), moving.crowd.end(), first, isListedBefore);
+             other != moving.crowd.end() && other->map == first.map &&
+             other->tileY == first.tileY && other->tileX <= first.tileX + 2;
+             ++other) {
+            ++moving.crowdLooks;
+            if (other->motion == body.motion) continue;
+            if (++seen > kMostNeighbours || action(*other)) return;
         }
     }
 }
@@ -76,7 +69,7 @@ GroundPoint asideOf(const CrowdBody& body, const CrowdBody& other, GroundPoint w
     return {toCoordinate(-y / length * pace), toCoordinate(x / length * pace)};
 }
 
-const CrowdBody* inTheWay(const MovingObjects& moving, const CrowdBody& body, GroundPoint way) {
+const CrowdBody* inTheWay(MovingObjects& moving, const CrowdBody& body, GroundPoint way) {
     CrowdBody moved = body;
     moved.x = body.x + way.x;
     moved.y = body.y + way.y;
@@ -95,16 +88,21 @@ const CrowdBody* inTheWay(const MovingObjects& moving, const CrowdBody& body, Gr
 
 void gatherCrowd(World& world, const Body* player) {
     MovingObjects& moving = world.movingObjects;
-    moving.crowdCells.assign(kCells, -1);
     moving.crowd.clear();
-    moving.crowd.reserve(moving.motions.size() + 1);
-    if (player != nullptr) addToCrowd(moving, bodyOf(player->map, -1, player->box));
-    for (std::size_t i = 0; i < moving.motions.size(); ++i) {
-        ObjectMotion& motion = moving.motions[i];
+    moving.crowdLooks = 0;
+    // In a tile the last one comes first, and the player last
+    for (std::size_t i = moving.motions.size(); i-- > 0;) {
+        const ObjectMotion& motion = moving.motions[i];
         if (!motion.solid) continue;
-        motion.crowdBody = static_cast<int>(moving.crowd.size());
-        addToCrowd(moving,
-                   bodyOf(motion.map, static_cast<int>(i), objectBody(movedObject(world, motion))));
+        moving.crowd.push_back(
+            bodyOf(motion.map, static_cast<int>(i), objectBody(movedObject(world, motion))));
+    }
+    if (player != nullptr) moving.crowd.push_back(bodyOf(player->map, -1, player->box));
+    mergeSort(moving.crowd, moving.crowdRoom, isListedBefore);
+    for (std::size_t i = 0; i < moving.crowd.size(); ++i) {
+        const int motion = moving.crowd[i].motion;
+        if (motion >= 0)
+            moving.motions[static_cast<std::size_t>(motion)].crowdBody = static_cast<int>(i);
     }
 }
 
@@ -120,7 +118,7 @@ void noteMoved(World& world, const ObjectMotion& motion) {
 }
 
 GroundPoint besideOthers(World& world, ObjectMotion& motion, GroundPoint way) {
-    const MovingObjects& moving = world.movingObjects;
+    MovingObjects& moving = world.movingObjects;
     if (!motion.solid || (way.x.raw == 0 && way.y.raw == 0)) return way;
     const auto index = static_cast<int>(&motion - moving.motions.data());
     const CrowdBody body = bodyOf(motion.map, index, objectBody(movedObject(world, motion)));
@@ -137,7 +135,7 @@ GroundPoint besideOthers(World& world, ObjectMotion& motion, GroundPoint way) {
 
 void pushApart(World& world, Player& player) {
     MovingObjects& moving = world.movingObjects;
-    if (!moving.anySolid || player.flying || moving.crowdCells.empty()) return;
+    if (!moving.anySolid || player.flying || moving.crowd.empty()) return;
     const CrowdBody body = bodyOf(player.map, -1, bodyBox(player));
     GroundPoint push;
     eachNeighbour(moving, body, [&](const CrowdBody& other) {

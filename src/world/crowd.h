@@ -11,7 +11,7 @@
 //     pushApart(world, player);                    after the objects' steps
 //
 // Bodies are listed by the tile that they are in, and each looks at no more than kMostNeighbours,
-// so a step takes a time that grows with their number, not with its square.
+// so a step takes a time that grows with their number, and not with its square, wherever they are.
 #pragma once
 
 #include "world/object_motion.h"

@@ -133,7 +133,6 @@ struct CrowdBody {
     Coordinate top;
     int tileX = 0;  // where it was when it was listed
     int tileY = 0;
-    int next = -1;  // in the same cell
 };
 
 // The moving objects of a world, and their initial states.
@@ -143,8 +142,9 @@ struct MovingObjects {
     std::vector<std::vector<Object>> objectsAtStart;  // by map; empty if nothing moves or is found
     std::vector<std::vector<PathPoint>> paths;
     bool anySolid = false;
-    std::vector<CrowdBody> crowd;  // of the present step
-    std::vector<int> crowdCells;
+    std::vector<CrowdBody> crowd;      // of the present step, by map, row and tile
+    std::vector<CrowdBody> crowdRoom;  // to sort them
+    std::int64_t crowdLooks = 0;       // so often one has looked at another in the present step
 };
 
 // How often an actor looks for the player.

@@ -88,6 +88,12 @@ void addMotion(World& world, int map, const Sowing& sowing, Random& random) {
     world.movingObjects.motions.push_back(motion);
 }
 
+void addFind(World& world, int map, const Find& like) {
+    Find& find = world.quest.finds.emplace_back(like);
+    find.map = map;
+    find.object = static_cast<int>(world.maps[static_cast<std::size_t>(map)].objects.size()) - 1;
+}
+
 // Sows one spot.
 void sowSpot(World& world, int mapIndex, const Sowing& sowing, int x, int y, int spot,
              const Ground& ground, TakenSpots& taken) {
@@ -108,6 +114,7 @@ void sowSpot(World& world, int mapIndex, const Sowing& sowing, int x, int y, int
     if (!taken.take(map.tileIndex(x, y), ground.height)) return;
     map.objects.push_back(object);
     if (sowing.motion) addMotion(world, mapIndex, sowing, random);
+    if (sowing.find) addFind(world, mapIndex, *sowing.find);
 }
 
 }  // namespace
@@ -144,6 +151,7 @@ Sown sowObjects(World& world, int mapIndex, const Sowing& sowing, TakenSpots& ta
             if (map.objects.size() > room) return Sown::tooMany;
             if (world.movingObjects.motions.size() > static_cast<std::size_t>(kMaxMovingObjects))
                 return Sown::tooManyMoving;
+            if (world.quest.finds.size() > kMaxFinds) return Sown::tooManyFinds;
         }
     }
     return Sown::all;

@@ -10,6 +10,7 @@
 #include "world/blueprint.h"
 #include "world/object.h"
 #include "world/object_motion.h"
+#include "world/quest.h"
 
 #include <cstddef>
 #include <cstdint>
@@ -38,7 +39,8 @@ struct Sowing {
     std::vector<TextureId> textures;  // if not empty: only where the ground shows one of these
     Coordinate clear;                 // distance to keep from the world's start
     std::optional<ObjectMotion> motion;
-    bool anyHeading = true;  // each one gets a random heading
+    bool anyHeading = true;    // each one gets a random heading
+    std::optional<Find> find;  // each one is such a find
 };
 
 // The spots of a map that are taken.
@@ -55,10 +57,10 @@ private:
     std::vector<bool> taken_;
 };
 
-enum class Sown : std::uint8_t { all, tooMany, tooManyMoving };
+enum class Sown : std::uint8_t { all, tooMany, tooManyMoving, tooManyFinds };
 
-// Adds to the map's objects and to the moving ones. Stops, with a part of them added, when a limit
-// of the world is exceeded.
+// Adds to the map's objects, to the moving ones and to the finds. Stops, with a part of them added,
+// when a limit of the world is exceeded.
 Sown sowObjects(World& world, int map, const Sowing& sowing, TakenSpots& taken);
 
 }  // namespace slicecast

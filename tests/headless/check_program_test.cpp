@@ -16,9 +16,10 @@ std::string faultsOf(const std::string& path) {
 }
 
 TEST(CheckProgram, SaysOk) {
-    const Finished finished = runProgram(SLICECAST_CHECK, {kFolder + "everything.json"});
+    const std::string path = SLICECAST_SOURCE_FOLDER "/assets/scenes/wayhouse-hunt.json";
+    const Finished finished = runProgram(SLICECAST_CHECK, {path});
     EXPECT_EQ(finished.status, 0);
-    EXPECT_EQ(finished.out, kFolder + "everything.json: ok\n");
+    EXPECT_EQ(finished.out, path + ": ok\n");
     EXPECT_EQ(finished.err, "");
 }
 
@@ -43,6 +44,16 @@ TEST(CheckProgram, WarnsOfProbableMistakes) {
     EXPECT_EQ(finished.out, path + ": ok\n");
     EXPECT_EQ(finished.err, lines);
     EXPECT_NE(lines, "");
+}
+
+TEST(CheckProgram, WarnsOfWhatNobodyReaches) {
+    const std::string path = kFolder + "everything.json";
+    const Finished finished = runProgram(SLICECAST_CHECK, {path});
+    EXPECT_EQ(finished.status, 0);
+    EXPECT_EQ(finished.out, path + ": ok\n");
+    EXPECT_NE(finished.err.find("(/maps/5/objects/0/find): found a find \"leaf\" that nobody can "
+                                "reach on foot"),
+              std::string::npos);
 }
 
 TEST(CheckProgram, NeedsAScene) {

@@ -92,6 +92,33 @@ TEST(QuestScenes, WarnOfWhatNobodyCanDo) {
     EXPECT_EQ(warnings("", "", R"("messages": [{ "text": "Boo", "x": 2, "y": 1 }])"), "");
 }
 
+TEST(QuestScenes, FindsMayBeSown) {
+    const std::string game = R"("game": { "aim": "Take all.", "needs": ["apple", "key"] },)";
+    const auto sown = [&](const std::string& density) {
+        return loadText(hunt(R"("needs": "apple")", game,
+                             std::string(kCoins) +
+                                 R"(, "sow": [{ "sprite": "coin", "height": 0.3, "clear": 0,
+            "find": { "kind": "apple", "message": "Sweet." }, "density": )" +
+                                 density + " }]"));
+    };
+    const LoadedScene loaded = sown("1");
+    ASSERT_EQ(inWords(loaded.faults), "");
+    EXPECT_EQ(inWords(loaded.warnings), "");
+    const Quest& quest = loaded.world->quest;
+    ASSERT_EQ(quest.finds.size(), 6u);
+    ASSERT_EQ(quest.kinds.size(), 3u);
+    EXPECT_EQ(quest.kinds[2].name, "apple");
+    EXPECT_EQ(quest.kinds[2].count, 3) << "not at the start, nor where others stand";
+    EXPECT_EQ(quest.finds[3].message, "Sweet.");
+    EXPECT_EQ(quest.finds[3].object, 3);
+    EXPECT_EQ(quest.goal->needs.kinds, (std::vector<std::uint16_t>{2, 1}));
+
+    const LoadedScene none = sown("0");
+    ASSERT_EQ(inWords(none.faults), "");
+    EXPECT_NE(inWords(none.warnings).find("a find that is sown nowhere"), std::string::npos);
+    EXPECT_NE(inWords(none.warnings).find("a need of 1 find named \"apple\""), std::string::npos);
+}
+
 TEST(QuestScenes, BehavioursAreReadWhole) {
     const LoadedScene loaded = loadText(hunt("", "", R"("objects": [
       { "sprite": "coin", "x": 2.5, "y": 1.5, "height": 0.3, "motion": { "kind": "patrol",

@@ -1,5 +1,6 @@
-// Every scene that is shipped loads without a fault.
+// Every scene that is shipped loads without a fault, and players reach all that is in it.
 #include "scene/scene_files.h"
+#include "scene/unreached.h"
 
 #include <gtest/gtest.h>
 
@@ -15,6 +16,8 @@ TEST(ShippedScenes, Load) {
             continue;
         const LoadedScene loaded = loadFrom(entry.path());
         EXPECT_EQ(inWords(loaded.faults), "");
+        EXPECT_EQ(inWords(loaded.warnings), "");
+        EXPECT_EQ(inWords(findUnreached(loaded)), "");
         EXPECT_TRUE(loaded.world.has_value()) << entry.path();
         ++count;
     }

@@ -99,5 +99,48 @@ TEST(Crowd, OthersWalkThroughEachOther) {
     EXPECT_NEAR(stage.x(0), stage.x(1), 0.05);
 }
 
+// As many as a scene may have, in the worst places: each step looks at a bounded number of
+// neighbours of each.
+TEST(Crowd, AStepOfAVeryLargeCrowdGrowsWithItsNumber) {
+    constexpr int kCrowd = 4096;
+    const auto looksAmong = [](int width, auto place) {
+        World world = emptyWorld(width, 70, 1);
+        for (int i = 0; i < kCrowd; ++i) {
+            ObjectMotion motion;  // it wanders
+            motion.solid = true;
+            motion.headingDegrees = 7.0 * i;
+            const GroundPoint at = place(i);
+            addActor(world, at.x.value(), at.y.value(), motion);
+        }
+        Stage stage(std::move(world), 0.5, 0.5);
+        std::int64_t most = 0;
+        for (int i = 0; i < 30; ++i) {
+            stage.step({.forward = 1.0});
+            most = std::max(most, stage.world.movingObjects.crowdLooks);
+        }
+        return most;
+    };
+    // Two ways are tried, and the player looks too
+    constexpr std::int64_t kMostLooks = std::int64_t{2} * (kMostNeighbours + 2) * (kCrowd + 1);
+    const auto jostled = [](int i, int x) {
+        return GroundPoint{tileEdge(x) + Coordinate{65536 / 4 + 512 * (i % 64)},
+                           tileEdge(3) + Coordinate{65536 / 4 + 512 * (i / 64 % 64)}};
+    };
+    const std::int64_t oneTile = looksAmong(70, [&](int i) { return jostled(i, 3); });
+    EXPECT_GT(oneTile, kCrowd * 10);
+    EXPECT_LE(oneTile, kMostLooks);
+    EXPECT_LE(looksAmong(1100, [&](int i) { return jostled(i, i / (kCrowd / 2) * 1024 + 3); }),
+              kMostLooks)
+        << "far apart";
+    EXPECT_LE(
+        looksAmong(
+            70,
+            [](int i) {
+                return GroundPoint{tileEdge(3 + i % 64) + 0.5_u, tileEdge(3 + i / 64) + 0.5_u};
+            }),
+        kMostLooks)
+        << "spread";
+}
+
 }  // namespace
 }  // namespace slicecast

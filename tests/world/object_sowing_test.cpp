@@ -223,6 +223,28 @@ TEST(Sowing, StopsAtTheLimitOfObjects) {
     EXPECT_EQ(sowObjects(world, 2, sowing, third), Sown::tooMany);
 }
 
+TEST(Sowing, MakesFinds) {
+    World world = emptyWorld(33, 33, 1);
+    world.start.map = -1;
+    world.maps[0].objects.emplace_back();
+    Sowing sowing = trees(0.3);
+    sowing.find = Find{.kind = 2, .message = "An apple."};
+    const std::vector<Object> objects = sown(world, sowing);
+    const std::vector<Find>& finds = world.quest.finds;
+    ASSERT_GT(finds.size(), 200u);
+    ASSERT_EQ(finds.size() + 1, objects.size());
+    for (std::size_t i = 0; i < finds.size(); ++i) {
+        EXPECT_EQ(finds[i].map, 0);
+        EXPECT_EQ(finds[i].object, static_cast<int>(i) + 1);
+        EXPECT_EQ(finds[i].kind, 2);
+        EXPECT_EQ(finds[i].message, "An apple.");
+    }
+
+    sowing.density = 1.0;
+    TakenSpots taken(world.maps[0]);
+    EXPECT_EQ(sowObjects(world, 0, sowing, taken), Sown::tooManyFinds);
+}
+
 TEST(Sowing, IsTheSameOnEveryMachine) {
     Hash hash;
     World world = emptyWorld(10, 10, 2);

@@ -69,6 +69,7 @@ std::vector<Entry> opaqueTextures() {
         {"window-brick", Use::Wall, paintWindowBrick, "brick"},
         {"window-lit", Use::Wall, paintWindowLit, "brick"},
         {"window-timber", Use::Wall, paintWindowTimber, "timber-frame"},
+        {"window-timber-lit", Use::Wall, paintWindowTimberLit, "timber-frame"},
         {"painted-window-foot", Use::Wall, paintPaintedWindowFoot, "plaster-white", false},
         {"painted-window-head", Use::Wall, paintPaintedWindowHead, "plaster-white", false},
         {"bookshelf", Use::Wall, paintBookshelf},

@@ -186,7 +186,8 @@ Picture paintWindowLit() {
     return paintBrickWindow(true);
 }
 
-Picture paintWindowTimber() {
+// With a lamp behind its panes, or without.
+static Picture paintTimberWindow(bool lamp) {
     Surface surface = timberFrameSurface();
     drawSlab(surface, {.left = 41,
                        .top = 26,
@@ -202,7 +203,7 @@ Picture paintWindowTimber() {
                         .rows = 3,
                         .paneWidth = 18,
                         .paneHeight = 17,
-                        .lamp = false});
+                        .lamp = lamp});
     // Shutters folded back, painted in sea green, with louvres
     for (const int left : {18, 88}) {
         drawSlab(surface, {.left = left,
@@ -253,6 +254,14 @@ Picture paintWindowTimber() {
                            .ramp = yellow ? &kBrassRamp : &kCrimsonRamp});
     }
     return lit(surface, timberLighting());
+}
+
+Picture paintWindowTimber() {
+    return paintTimberWindow(false);
+}
+
+Picture paintWindowTimberLit() {
+    return paintTimberWindow(true);
 }
 
 }  // namespace slicecast::textures

@@ -6,9 +6,10 @@
 
 namespace slicecast::textures {
 
-Picture paintDoor();          // in stone-blocks
-Picture paintWindowBrick();   // in brick
-Picture paintWindowLit();     // in brick, a lamp behind the panes
-Picture paintWindowTimber();  // in timber-frame, with shutters
+Picture paintDoor();             // in stone-blocks
+Picture paintWindowBrick();      // in brick
+Picture paintWindowLit();        // in brick, a lamp behind the panes
+Picture paintWindowTimber();     // in timber-frame, with shutters
+Picture paintWindowTimberLit();  // the same, a lamp behind the panes
 
 }  // namespace slicecast::textures

@@ -1,0 +1,105 @@
+#include "scene/unreached.h"
+
+#include "base/sort.h"
+#include "base/words.h"
+#include "world/collision.h"
+#include "world/footways.h"
+
+#include <algorithm>
+#include <tuple>
+
+namespace slicecast {
+namespace {
+
+constexpr const char* kWay =
+    "a way to it from the start, without steps above 0.79, the height of a jump";
+
+bool isMoving(const World& world, int map, int object) {
+    const std::vector<ObjectMotion>& motions = world.movingObjects.motions;
+    return std::any_of(motions.begin(), motions.end(), [&](const ObjectMotion& motion) {
+        return motion.map == map && motion.object == object;
+    });
+}
+
+// Number keys enter every map: in one that no way leads to, only finds and the goal are out of
+// reach.
+bool isOnTheWay(const World& world, const Footways& ways, int map) {
+    const Map& grid = world.maps[static_cast<std::size_t>(map)];
+    return ways.comesInto(map,
+                          {{}, tileEdge(grid.width), {}, tileEdge(grid.depth), {}, kMaxBodyHeight});
+}
+
+std::string unreachedFinds(const World& world, const Footways& ways, const Aim& aim) {
+    std::size_t missed = 0;
+    for (std::size_t i = aim.first; i < aim.first + aim.count; ++i) missed += !ways.takes(i);
+    if (missed == 0) return "";
+    const FindKind& kind = world.quest.kinds[world.quest.finds[aim.first].kind];
+    const std::string name = words("\"", kind.name, "\"");
+    if (aim.count == 1) return words("a find ", name, " that nobody can reach on foot");
+    return words("sown finds ", name, " of which nobody can reach ", missed, " of ", aim.count,
+                 " on foot");
+}
+
+std::string unreachedNotice(const World& world, const Footways& ways, const Notice& notice) {
+    Box box = notice.area;
+    if (notice.object >= 0) {
+        if (isMoving(world, notice.map, notice.object)) return "";
+        const Map& map = world.maps[static_cast<std::size_t>(notice.map)];
+        box = objectBody(map.objects[static_cast<std::size_t>(notice.object)]);
+    }
+    if (!isOnTheWay(world, ways, notice.map) || ways.comesWithin(notice.map, box, notice.near))
+        return "";
+    return "a message that nobody can come near on foot";
+}
+
+// What follows others, or opens at times, may be out of reach.
+std::string unreachedGates(const World& world, const Footways& ways, std::size_t number) {
+    const GateKind& kind = world.gateKinds[number];
+    if (kind.everySteps > 0 || !kind.follows.empty()) return "";
+    for (const Gate& gate : world.gates) {
+        if (gate.kind != static_cast<int>(number) || !isOnTheWay(world, ways, gate.map) ||
+            ways.isMet(gate))
+            continue;
+        const Map& map = world.maps[static_cast<std::size_t>(gate.map)];
+        return words("a gate at x ", gate.bounds.west.tile(), ", y ", gate.bounds.north.tile(),
+                     " of the map \"", map.name, "\" that nobody can open on foot");
+    }
+    return "";
+}
+
+std::string unreached(const World& world, const Footways& ways, const Aim& aim) {
+    switch (aim.what) {
+        case Aim::What::finds:
+            return unreachedFinds(world, ways, aim);
+        case Aim::What::notice:
+            return unreachedNotice(world, ways, world.quest.notices[aim.first]);
+        case Aim::What::gates:
+            return unreachedGates(world, ways, aim.first);
+        case Aim::What::goal:
+            break;
+    }
+    const std::optional<Goal>& goal = world.quest.goal;
+    if (!goal || !goal->map || ways.comesInto(*goal->map, goal->area)) return "";
+    return "a goal that nobody can reach on foot";
+}
+
+}  // namespace
+
+std::vector<Fault> findUnreached(const LoadedScene& scene) {
+    std::vector<Fault> warnings;
+    if (!scene.world || scene.aims.empty()) return warnings;
+    const Footways ways(*scene.world);
+    for (const Aim& aim : scene.aims) {
+        std::string found = unreached(*scene.world, ways, aim);
+        if (found.empty()) continue;
+        Fault& warning = warnings.emplace_back(aim.place);
+        warning.found = std::move(found);
+        warning.expected = kWay;
+    }
+    mergeSort(warnings, [](const Fault& a, const Fault& b) {
+        return std::tie(a.line, a.column) < std::tie(b.line, b.column);
+    });
+    return warnings;
+}
+
+}  // namespace slicecast

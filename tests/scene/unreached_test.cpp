@@ -1,0 +1,62 @@
+// What nobody can get to on foot.
+#include "scene/unreached.h"
+#include "scene/scene_files.h"
+
+#include <gtest/gtest.h>
+
+namespace slicecast {
+namespace {
+
+// The warnings after changes of the scene's text, without what is expected.
+std::string unreachedAfter(std::initializer_list<std::pair<const char*, const char*>> changes) {
+    std::string text = readText(sceneTestFolder() / "unreached.json");
+    for (const auto& [from, to] : changes) {
+        const std::size_t at = text.find(from);
+        EXPECT_NE(at, std::string::npos) << from;
+        text.replace(at, std::string_view(from).size(), to);
+    }
+    const LoadedScene loaded = loadText(text);
+    EXPECT_EQ(inWords(loaded.faults), "");
+    EXPECT_EQ(inWords(loaded.warnings), "");
+    std::string lines;
+    for (const Fault& warning : findUnreached(loaded)) {
+        const std::string line = describe(warning);
+        lines += line.substr(0, line.find(", expected a way to it from the start")) + "\n";
+    }
+    return lines;
+}
+
+TEST(Unreached, IsFoundWhereTheFileStatesIt) {
+    EXPECT_EQ(
+        unreachedAfter({}),
+        R"(test.json:11:51 (/blueprints/door/gate): found a gate at x 10, y 1 of the map "yard" that nobody can open on foot
+test.json:24:72 (/maps/0/objects/1/find): found a find "coin" that nobody can reach on foot
+test.json:25:72 (/maps/0/objects/2/find): found a find "key" that nobody can reach on foot
+test.json:26:22 (/maps/0/objects/2/message): found a message that nobody can come near on foot
+test.json:29:9 (/maps/0/sow/0): found sown finds "berry" of which nobody can reach 1 of 2 on foot
+test.json:33:9 (/maps/0/messages/1): found a message that nobody can come near on foot
+test.json:40:82 (/maps/1/objects/0/find): found a find "coin" that nobody can reach on foot
+test.json:44:50 (/game/at): found a goal that nobody can reach on foot
+)");
+}
+
+TEST(Unreached, IsNothingWhereThereIsAWay) {
+    const std::pair<const char*, const char*> way = {"#...d.###.d#", "#...d.....d#"};
+    const std::pair<const char*, const char*> loft = {
+        R"("sow": [)", R"("portals": [{ "x": 1, "y": 2, "to": { "map": "loft", "x": 0, "y": 0 } }],
+      "sow": [)"};
+    EXPECT_EQ(unreachedAfter({way, loft}), "");
+    EXPECT_EQ(
+        unreachedAfter({way}),
+        R"(test.json:40:82 (/maps/1/objects/0/find): found a find "coin" that nobody can reach on foot
+)") << "number keys lead to what else is in the loft";
+}
+
+TEST(Unreached, MayMove) {
+    const std::string lines = unreachedAfter(
+        {{R"("find": "key",)", R"("find": "key", "motion": { "kind": "wander", "speed": 1 },)"}});
+    EXPECT_EQ(lines.find("(/maps/0/objects/2"), std::string::npos) << lines;
+}
+
+}  // namespace
+}  // namespace slicecast
