@@ -601,6 +601,8 @@ Scene randomScene(std::uint64_t seed, int width, int height) {
     Random lamps(seed ^ 0x6c616d70u);
     const bool isLit = lamps.oneIn(4);
     if (slopes.oneIn(3) || (isLit && lamps.oneIn(2))) incline(slopes, scene.world, slopes.oneIn(2));
+    Random ramps(seed ^ 0x72616d70u);
+    if (ramps.oneIn(3)) addRamps(ramps, scene.world, ramps.oneIn(2));
     if (more.oneIn(6)) enterMover(more, scene.world, view);
     if (isLit) light(lamps, scene.world);
     stir(seed, scene.world);
@@ -635,6 +637,8 @@ Scene tieScene(std::uint64_t seed, int width, int height) {
     if (sliders.oneIn(3)) addSliders(sliders, scene.world, true);
     Random slopes(seed ^ 0x736c6f70u);
     if (!slopes.oneIn(3)) incline(slopes, scene.world, true);
+    Random ramps(seed ^ 0x72616d70u);
+    if (ramps.oneIn(2)) addRamps(ramps, scene.world, true);
     Random lamps(seed ^ 0x6c616d70u);
     if (lamps.oneIn(4)) light(lamps, scene.world);
     stir(seed, scene.world);
