@@ -538,6 +538,8 @@ void turnAlongCut(Random& random, Scene& scene, bool isFalling) {
     std::vector<CellBlueprint>& blocks = scene.world.blueprints;
     for (std::size_t i = 1; i < blocks.size(); ++i) {
         blocks[i].plan = blocks[blocks[i].origin].plan;
+        // Then slopes that have gone along lie over the whole tile again
+        blocks[i].slopes.bottom.shift = blocks[i].slopes.top.shift = {};
         Half half = static_cast<Half>(random.between(0, 4));
         if (isCutFalling(half) != isFalling) half = Half::none;
         if (blocks[i].origin == kEmptyCell) blocks[i].plan.half = half;

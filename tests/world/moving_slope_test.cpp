@@ -11,7 +11,7 @@
 namespace slicecast {
 namespace {
 
-constexpr int kPeriod = 4 * kSecond;
+constexpr int kRampPeriod = 4 * kSecond;
 
 // 1.75 units along an axis in 2 seconds, and back.
 Motion wayAlong(Axis axis) {
@@ -19,7 +19,7 @@ Motion wayAlong(Axis axis) {
             .axis = axis,
             .from = {},
             .to = 1.75_u,
-            .periodSteps = kPeriod,
+            .periodSteps = kRampPeriod,
             .shape = MotionShape::even};
 }
 
@@ -36,7 +36,7 @@ struct Point {
 };
 
 // Whether a block in a tile and a level that begin at (0, 0, 0) holds a point: exact.
-bool holds(const CellBlueprint& block, const Point& at) {
+bool holdsPoint(const CellBlueprint& block, const Point& at) {
     const std::int64_t along = block.slopes.alongX ? at.x : at.y;
     const auto height = [&](const Slant& slant) {
         return slant.from.raw * 65536ll +
@@ -60,7 +60,7 @@ TEST(MovingSlope, PartsMakeUpTheMovedBlock) {
             world.maps[0].setCell(1, 1, 1, id);
             ASSERT_TRUE(makeMovers(world).empty());
             const Map& map = world.maps[0];
-            for (int step = 0; step < kPeriod; step += 7) {
+            for (int step = 0; step < kRampPeriod; step += 7) {
                 const std::int64_t offset = world.movers[0].offset.raw;
                 for (int i = 0; i < 400; ++i) {
                     const auto any = [&] { return std::int64_t{random.between(0, 4 * 65536 - 1)}; };
@@ -74,8 +74,8 @@ TEST(MovingSlope, PartsMakeUpTheMovedBlock) {
                     const BlueprintId part = map.cell(tile(at.x), tile(at.y), tile(at.z));
                     const bool isIn =
                         part != kEmptyCell &&
-                        holds(world.blueprints[part], {at.x & 65535, at.y & 65535, at.z & 65535});
-                    ASSERT_EQ(isIn, holds(whole, before)) << step << " " << i;
+                        holdsPoint(world.blueprints[part], {at.x & 65535, at.y & 65535, at.z & 65535});
+                    ASSERT_EQ(isIn, holdsPoint(whole, before)) << step << " " << i;
                 }
                 for (int k = 0; k < 7; ++k) stepWorld(world, {}, {});
             }
@@ -113,7 +113,7 @@ TEST(MovingSlope, CarriesWhoStandsOnIt) {
             const Coordinate half = {(box.east - box.west).raw / 2};
             const Coordinate height = {(65536 / 2 + half.raw + 1) / 2};
             player = standingOn(world, 2.5_u, 2.5_u, height);
-            for (int step = 1; step <= kPeriod; ++step) {
+            for (int step = 1; step <= kRampPeriod; ++step) {
                 stepBoth(world, player);
                 ASSERT_FALSE(reachesIntoSolid(world, 0, bodyBox(player))) << step;
                 const Coordinate offset = world.movers[0].offset;
@@ -142,7 +142,7 @@ TEST(MovingSlope, PushesWhoIsInItsWay) {
                 player.x = alongX ? 3.5_u : 2.5_u;
                 player.y = alongX ? 2.5_u : 3.5_u;
                 player.onGround = true;
-                for (int step = 1; step <= kPeriod / 2; ++step) {
+                for (int step = 1; step <= kRampPeriod / 2; ++step) {
                     stepBoth(world, player);
                     ASSERT_FALSE(reachesIntoSolid(world, 0, bodyBox(player))) << step;
                 }
@@ -165,7 +165,7 @@ TEST(MovingSlope, PushesFromWhereItIsAsHighAsTheFeet) {
     player.x = 3.5_u;
     player.y = 2.5_u;
     player.z = 0.25_u;
-    for (int step = 1; step <= kPeriod / 2; ++step) {
+    for (int step = 1; step <= kRampPeriod / 2; ++step) {
         stepBoth(world, player);
         ASSERT_FALSE(reachesIntoSolid(world, 0, bodyBox(player))) << step;
     }
@@ -181,7 +181,7 @@ TEST(MovingSlope, WaitsForWhoHasNoRoom) {
     player.x = 4.0_u;
     player.y = 2.5_u;
     player.onGround = true;
-    for (int step = 1; step <= kPeriod / 2; ++step) {
+    for (int step = 1; step <= kRampPeriod / 2; ++step) {
         stepBoth(world, player);
         ASSERT_FALSE(reachesIntoSolid(world, 0, bodyBox(player))) << step;
     }
