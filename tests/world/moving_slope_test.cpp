@@ -72,9 +72,9 @@ TEST(MovingSlope, PartsMakeUpTheMovedBlock) {
                                           at.z - 65536 - (axis == Axis::z ? offset : 0)};
                     const auto tile = [](std::int64_t raw) { return static_cast<int>(raw >> 16); };
                     const BlueprintId part = map.cell(tile(at.x), tile(at.y), tile(at.z));
-                    const bool isIn =
-                        part != kEmptyCell &&
-                        holdsPoint(world.blueprints[part], {at.x & 65535, at.y & 65535, at.z & 65535});
+                    const bool isIn = part != kEmptyCell &&
+                                      holdsPoint(world.blueprints[part],
+                                                 {at.x & 65535, at.y & 65535, at.z & 65535});
                     ASSERT_EQ(isIn, holdsPoint(whole, before)) << step << " " << i;
                 }
                 for (int k = 0; k < 7; ++k) stepWorld(world, {}, {});
