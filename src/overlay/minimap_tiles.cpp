@@ -49,7 +49,8 @@ Colour colourOf(const CellBlueprint* block, double drop, bool isWater) {
     if (block->gate >= 0) return block->passable ? ground : kMinimapGate;
     const Slant& top = block->slopes.top;
     const double height =
-        top.isLevel() ? block->top.value() : (top.from.value() + top.to.value()) / 2.0;
+        top.isLevel() ? block->top.value()
+                      : std::clamp(top.valueAt(0.5), block->bottom.value(), block->top.value());
     const Colour colour = height == 1.0 ? kWholeBlock : mixed(kLowBlock, kHighBlock, height);
     return block->bottom.raw > 0 ? mixed(ground, colour, kFloatingShade) : colour;
 }

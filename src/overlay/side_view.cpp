@@ -134,9 +134,16 @@ void drawBlocks(const SliceTrace& trace, const SidePlot& plot, const Picture& pi
         for (int x = left; x < right; x += hasSlopes ? 1 : right - left) {
             const double depth = hit.depth + perPixel * (x - left + 0.5);
             const int width = hasSlopes ? 1 : right - left;
-            const int top = static_cast<int>(plot.y(hasSlopes ? above.at(depth) : above.height));
-            const int bottom = std::max(
-                top + 1, static_cast<int>(plot.y(hasSlopes ? below.at(depth) : below.height)));
+            double high = hasSlopes ? above.at(depth) : above.height;
+            double low = hasSlopes ? below.at(depth) : below.height;
+            if (hasSlopes && hit.portals == 0) {  // a part of what moves ends with its cell
+                constexpr double kRounding = 1e-6;
+                high = std::min(high, hit.top.value());
+                low = std::max(low, hit.bottom.value());
+                if (high < low - kRounding) continue;
+            }
+            const int top = static_cast<int>(plot.y(high));
+            const int bottom = std::max(top + 1, static_cast<int>(plot.y(low)));
             blendInside({x, top, width, bottom - top},
                         hit.filled.empty() ? kUnseenBlock : kSeenBlock);
             blendInside({x, top, width, plot.line}, kBlockEdge);

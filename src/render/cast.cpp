@@ -111,8 +111,7 @@ private:
     bool isUnderAt(const CellBlueprint& block, int level, double along) const {
         const Slant& slant = block.slopes.bottom;
         const double at = block.slopes.alongX ? x(along) - walk_.tileX : y(along) - walk_.tileY;
-        return Coordinate{from_.z}.value() - level <
-               slant.from.value() + Coordinate{slant.rise()}.value() * at;
+        return Coordinate{from_.z}.value() - level < slant.valueAt(at);
     }
 
     // `pastLimit` is the reason for the end if the ray has passed as many portals as allowed.

@@ -57,6 +57,14 @@ struct LightCut {
     }
 };
 
+// A moving block's slopes as light sees them: with the motion's offset rounded down to a quarter of
+// a unit, so that they seldom change.
+constexpr Slopes slopesInLight(const CellBlueprint& block) {
+    const auto back = [](Coordinate offset) { return Coordinate{-(offset.raw & 0x3fff)}; };
+    return moved(block.slopes, back(block.textureEast), back(block.textureSouth),
+                 back(block.textureRise));
+}
+
 // Up to three cuts of a block whose tile and level begin at `origin`; `use` returns false to stop.
 // Returns whether it went through all of them.
 template <typename Use>
@@ -70,15 +78,18 @@ bool eachCut(const CellBlueprint& block, const LightVector& origin, Use&& use) {
                           {origin[0] + (isFalling ? 0 : 65536), origin[1], origin[2]}}))
             return false;
     }
+    if (!block.slopes.any()) return true;
+    const Slopes slopes = slopesInLight(block);
     for (const Face face : {Face::bottom, Face::top}) {
-        const Slant& slant = block.slopes.of(face);
+        const Slant& slant = slopes.of(face);
         if (slant.isLevel()) continue;
         const std::int64_t up = face == Face::bottom ? 1 : -1;
         const std::int64_t ahead = -up * slant.rise();
         if (!use(LightCut{
                 face,
-                {block.slopes.alongX ? ahead : 0, block.slopes.alongX ? 0 : ahead, up * 65536},
-                {origin[0], origin[1], origin[2] + slant.from.raw}}))
+                {slopes.alongX ? ahead : 0, slopes.alongX ? 0 : ahead, up * 65536},
+                {origin[0] + (slopes.alongX ? slant.shift.raw : 0),
+                 origin[1] + (slopes.alongX ? 0 : slant.shift.raw), origin[2] + slant.from.raw}}))
             return false;
     }
     return true;

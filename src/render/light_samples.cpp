@@ -212,16 +212,21 @@ FaceNodes LightSamples::nodesOf(LightScene& scene, const LitFaceAt& face, const 
     const auto quarter = [&](int column, int row) -> Quarter {
         const int stepA = column < 0 ? -1 : column > 3 ? 1 : 0;
         const int stepB = row < 0 ? -1 : row > 3 ? 1 : 0;
-        const LitFaceAt at = LightScene::beside(face, area, stepA, stepB);
-        if (!scene.map().contains(at.x, at.y) || at.level < 0) return kNothing;
+        LitFaceAt at = LightScene::beside(face, area, stepA, stepB);
+        if (!scene.map().contains(at.x, at.y)) return kNothing;
         touched |= scene.changeableBit(at.x, at.y);
-        Entry& entry = entryOf(scene, at);
-        if (!entry.exists || entry.area.rise != area.rise ||
-            entry.area.plane != area.plane + area.rise[0] * stepA + area.rise[1] * stepB)
-            return kNothing;
-        const Quarter& found = quarterOf(scene, entry, column - 4 * stepA, row - 4 * stepB);
-        touched |= entry.touched;
-        return found;
+        const bool climbs = area.normal == 2 && area.rise[0] * stepA + area.rise[1] * stepB != 0;
+        for (const int climb : {0, 1, -2}) {
+            if (climb != 0 && !climbs) break;
+            at.level += climb;
+            if (at.level < 0) continue;
+            Entry& entry = entryOf(scene, at);
+            if (!entry.exists || !entry.area.isInPlaneOf(area)) continue;
+            const Quarter& found = quarterOf(scene, entry, column - 4 * stepA, row - 4 * stepB);
+            touched |= entry.touched;
+            return found;
+        }
+        return kNothing;
     };
     FaceNodes nodes;
     scene.clearTouched();

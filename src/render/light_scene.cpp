@@ -79,6 +79,13 @@ std::uint64_t LightScene::stateOf(int x, int y) const {
             add(static_cast<std::uint64_t>(extent.low[axis]) << 32 |
                 static_cast<std::uint64_t>(extent.high[axis]));
         for (const FaceBlueprint& face : block.faces) add(face.texture);
+        if (!block.slopes.any()) continue;
+        const Slopes slopes = slopesInLight(block);
+        for (const Slant& slant : {slopes.bottom, slopes.top}) {
+            add(static_cast<std::uint32_t>(slant.from.raw));
+            add(static_cast<std::uint32_t>(slant.to.raw));
+            add(static_cast<std::uint32_t>(slant.shift.raw));
+        }
     }
     return state;
 }
@@ -241,15 +248,18 @@ bool LightScene::findArea(const LitFaceAt& at, LitArea& area) const {
     area.rise = {};
     area.low = along(low);
     area.high = along(high);
-    area.tile = along(tile);
+    area.tile = area.at = along(tile);
     if (isCutFace) {
         const bool isFalling = isCutFalling(plan.half);
         area.plane = isFalling ? north : north + 65536;
         area.rise[0] = isFalling ? 65536 : -65536;
     } else if (isFlat && !block.slopes.of(face).isLevel()) {
-        const Slant& slant = block.slopes.of(face);
+        const Slopes slopes = slopesInLight(block);
+        const Slant& slant = slopes.of(face);
+        const std::size_t axis = slopes.alongX ? 0 : 1;
         area.plane = base + slant.from.raw;
-        area.rise[block.slopes.alongX ? 0 : 1] = slant.rise();
+        area.at[axis] += slant.shift.raw;
+        area.rise[axis] = slant.rise();
     }
     return true;
 }
@@ -257,19 +267,7 @@ bool LightScene::findArea(const LitFaceAt& at, LitArea& area) const {
 LitFaceAt LightScene::beside(LitFaceAt at, const LitArea& area, int stepA, int stepB) {
     (area.a == 0 ? at.x : at.y) += stepA;
     (area.b == 2 ? at.level : at.y) += stepB;
-    if (area.rise == std::array<std::int32_t, 2>{}) return at;
-    if (area.normal == 1) {
-        at.y += area.rise[0] > 0 ? stepA : -stepA;
-        return at;
-    }
-    // A slope goes on in the level above or below if it reaches the end of its own
-    const int step = area.rise[0] != 0 ? stepA : stepB;
-    const std::int32_t rise = area.rise[0] + area.rise[1];
-    if (step == 0) return at;
-    const std::int32_t edge = area.plane + (step > 0 ? rise : 0) - tileEdge(at.level).raw;
-    const bool climbs = (rise > 0) == (step > 0);
-    if (climbs && edge == 65536) ++at.level;
-    if (!climbs && edge == 0) --at.level;
+    if (area.normal == 1 && area.rise[0] != 0) at.y += area.rise[0] > 0 ? stepA : -stepA;
     return at;
 }
 

@@ -49,15 +49,16 @@ struct LitArea {
     int sign = 1;    // of the outward direction on it
     int a = 0;
     int b = 1;
-    std::int32_t plane = 0;              // on the normal, where the tile, or the cell, begins
-    std::array<std::int32_t, 2> rise{};  // of it along a and b, per unit
-    std::array<std::int32_t, 2> tile{};  // where that is, along a and b
+    std::int32_t plane = 0;              // on the normal, at the place `at`
+    std::array<std::int32_t, 2> at{};    // along a and b: as `tile`, but for slopes that move
+    std::array<std::int32_t, 2> rise{};  // of the plane along a and b, per unit
+    std::array<std::int32_t, 2> tile{};  // where the tile, or the cell, begins along a and b
     std::array<std::int32_t, 2> low{};   // the face's ends
     std::array<std::int32_t, 2> high{};
 
     // The plane at a place along a and b, rounded down.
     std::int32_t planeAt(std::int32_t atA, std::int32_t atB) const {
-        return plane + liftOf(atA - tile[0], atB - tile[1]);
+        return plane + liftOf(atA - at[0], atB - at[1]);
     }
     // By how much a way along a and b rises with the plane, rounded down.
     std::int32_t liftOf(std::int32_t wayA, std::int32_t wayB) const {
@@ -74,11 +75,15 @@ struct LitArea {
     }
     // How far a point is in front of the plane, in 1/2^32 units along the normal.
     std::int64_t inFront(const LightVector& point) const {
-        const auto at = [&](int axis) {
+        const auto along = [&](int axis) {
             return std::int64_t{point[static_cast<std::size_t>(axis)]};
         };
-        return sign * ((at(normal) - plane) * 65536 - rise[0] * (at(a) - tile[0]) -
-                       rise[1] * (at(b) - tile[1]));
+        return sign * ((along(normal) - plane) * 65536 - rise[0] * (along(a) - at[0]) -
+                       rise[1] * (along(b) - at[1]));
+    }
+    bool isInPlaneOf(const LitArea& other) const {
+        return normal == other.normal && sign == other.sign && rise == other.rise &&
+               inFront({}) == other.inFront({});
     }
 };
 
@@ -121,6 +126,7 @@ public:
     bool findArea(const LitFaceAt& at, LitArea& area) const;
 
     // The place where a face would go on beyond its tile: a step of -1, 0 or 1 along a and b each.
+    // A slope may go on in the level above or below instead.
     static LitFaceAt beside(LitFaceAt at, const LitArea& area, int stepA, int stepB);
 
     bool isInOpaque(const LightVector& point);

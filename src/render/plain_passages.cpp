@@ -14,8 +14,8 @@ namespace slicecast {
 PlainWalk::Rows PlainWalk::joinedRows(const Block& block, const CellBlueprint& neighbour,
                                       GridTile tile, const Crossing& border) const {
     if (!areJoined(*frame_.world, *block.blueprint, neighbour)) return {0, 0};
-    return {rowOf(neighbour, Face::top, tile, block.level, border),
-            rowOf(neighbour, Face::bottom, tile, block.level, border)};
+    return {endRow(neighbour, Face::top, tile, block.level, border),
+            endRow(neighbour, Face::bottom, tile, block.level, border)};
 }
 
 // The same behind a portal, where no block joins that has slopes or fills only a part of its tile.
@@ -66,14 +66,17 @@ bool PlainWalk::joinsLevel(const Block& block, int up, bool leaving) const {
     const auto joins = [&](const CellBlueprint& other) {
         return reaches(other, -up) && areJoined(*frame_.world, own, other);
     };
+    const auto goesOn = [](const CellBlueprint& blueprint, int end) {
+        return end > 0 ? blueprint.goesUp() : blueprint.goesDown();
+    };
     if (!reaches(own, up)) return false;
     const int level = block.level + up;
     const bool isBox = own.isBox();  // others join nothing through portals
     if (isWhereItCameOut(block, up)) return isBox && joins(cellBeforePortal(level));
     const CellBlueprint& next = cell(map(), {walk_.tileX, walk_.tileY}, level);
-    if (!reaches(next, -up) || level < 0 || level >= map().levels || (there_ >> level & 1) == 0)
-        return false;
-    if (areOneMover(own, next)) return true;
+    if (level < 0 || level >= map().levels || (there_ >> level & 1) == 0) return false;
+    if (areOneMover(own, next) && goesOn(next, -up)) return true;
+    if (!reaches(next, -up)) return false;
     const PortalId portal = next.face(up > 0 ? Face::bottom : Face::top).portal;
     if (leaving && portal != kNoPortal && mayPass()) return isBox && joins(exitCell(portal, level));
     return joins(next);

@@ -284,9 +284,26 @@ void PlainWalk::meetFaceOfSlopes(const LevelPlane& plane) {
             isDownwards ? std::max(rows.first, horizon) : std::min(rows.last, horizon);
     } else if (slopedPlane(*block.blueprint, face, here(), block.level).height == 0.0) {
         return;  // it is met at depth 0
+    } else {
+        rows = rowsOfPart(plane, rows);
     }
     rows.last = std::min(rows.last, firstRowNotReflected(leave_));
     meetFace(plane, rows);
+}
+
+// The rows in which a part of a moving block has a slope: elsewhere other parts have it.
+PlainWalk::Rows PlainWalk::rowsOfPart(const LevelPlane& plane, Rows rows) const {
+    const Block& block = plane.block;
+    const Face face = plane.what == What::roof ? Face::top : Face::bottom;
+    const Slant& slant = block.blueprint->slopes.of(face);
+    const auto keep = [&](std::int32_t rise, bool keepsBelow) {
+        keepRowsAt(projection(), slopedPlane(*block.blueprint, face, here(), block.level),
+                   rise / 65536.0, keepsBelow, (face == Face::top) != plane.leaving, rows.first,
+                   rows.last);
+    };
+    if (slant.most() > block.blueprint->top) keep(block.top, true);
+    if (slant.least() < block.blueprint->bottom) keep(block.bottom, false);
+    return rows;
 }
 
 SlopedPlane PlainWalk::slopedPlane(const CellBlueprint& blueprint, Face face, GridTile tile,
@@ -306,12 +323,24 @@ int PlainWalk::rowOf(const CellBlueprint& blueprint, Face face, GridTile tile, i
     return rowBelow(riseOf(tileEdge(level).raw) + height.raw, at);
 }
 
+// The same of the block's side, which ends with its part of a moving block.
+int PlainWalk::endRow(const CellBlueprint& blueprint, Face face, GridTile tile, int level,
+                      const Crossing& at) const {
+    const int row = rowOf(blueprint, face, tile, level, at);
+    const auto rowAt = [&](Coordinate height) {
+        return rowBelow(riseOf(tileEdge(level).raw) + height.raw, at);
+    };
+    if (face == Face::top)
+        return blueprint.isCutAbove() ? std::max(row, rowAt(blueprint.top)) : row;
+    return blueprint.isCutBelow() ? std::min(row, rowAt(blueprint.bottom)) : row;
+}
+
 // The rows between the top and the bottom of a block at a border.
 PlainWalk::Rows PlainWalk::rowsOf(const Block& block, const Crossing& border) const {
     if (!block.blueprint->slopes.any())
         return {rowBelow(block.top, border), rowBelow(block.bottom, border)};
-    return {rowOf(*block.blueprint, Face::top, here(), block.level, border),
-            std::min(rowOf(*block.blueprint, Face::bottom, here(), block.level, border),
+    return {endRow(*block.blueprint, Face::top, here(), block.level, border),
+            std::min(endRow(*block.blueprint, Face::bottom, here(), block.level, border),
                      firstRowNotReflected(border))};
 }
 
@@ -343,16 +372,19 @@ void PlainWalk::meetFace(const LevelPlane& plane, Rows rows) {
         (isTop ? beyond.high : beyond.low) = plane.rise;
         return sendThrough(look.portal, rows, beyond);
     }
-    if (look.texture == kNoTexture || joinsLevel(block, isTop ? 1 : -1, leaving)) return;
+    const bool isSloped = !block.blueprint->slopes.of(face).isLevel();
+    if (look.texture == kNoTexture || (!isSloped && joinsLevel(block, isTop ? 1 : -1, leaving)))
+        return;
     const int strength = leaving ? 0 : mirrorStrength(look.mirror);
     Span span = spanOf(plane.what);
     span.face = face;
     span.level = block.level;
     span.layer = block.blueprint->seeThrough && strength == 0;
-    if (!block.blueprint->slopes.of(face).isLevel()) {
+    if (isSloped) {
         const SlopedPlane sloped = slopedPlane(*block.blueprint, face, here(), block.level);
         span.slope = {sloped.height, sloped.horizon};
-        span.look = &lookOf({0, look.texture, look.light, look.glow, !isTop, false, true});
+        span.look = &lookOf({0, look.texture, look.light, look.glow, !isTop, false, true,
+                             block.blueprint->textureEast, block.blueprint->textureSouth});
         return show(span, rows);
     }
     span.look = &lookOf({plane.rise, look.texture, look.light, look.glow, !isTop, strength > 0,

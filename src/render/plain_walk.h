@@ -119,7 +119,10 @@ private:
     void meetFace(const LevelPlane& plane, Rows rows);
     int rowOf(const CellBlueprint& blueprint, Face face, GridTile tile, int level,
               const Crossing& at) const;
+    int endRow(const CellBlueprint& blueprint, Face face, GridTile tile, int level,
+               const Crossing& at) const;
     Rows rowsOf(const Block& block, const Crossing& border) const;
+    Rows rowsOfPart(const LevelPlane& plane, Rows rows) const;
     int firstRowNotReflected(const Crossing& at) const;
     SlopedPlane slopedPlane(const CellBlueprint& blueprint, Face face, GridTile tile,
                             int level) const;

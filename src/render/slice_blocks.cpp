@@ -66,6 +66,7 @@ void SliceWalk::meetFalling(std::uint32_t levels, TextureId ceilingTexture) {
             const MetSlopes met = enterSlopes(block);
             ceilingAbove(block.top - 1);
             passSlopes(block, met);
+            inside = !block.blueprint->seeThrough && goesOn(block, -1);
             edge = kHighest;
             continue;
         }
@@ -132,6 +133,7 @@ void SliceWalk::meetRising(std::uint32_t levels, TextureId ceilingTexture) {
             const MetSlopes met = enterSlopes(block);
             ceilingBelow(block.bottom + 1);
             passSlopes(block, met);
+            inside = !block.blueprint->seeThrough && goesOn(block, 1);
             edge = -kHighest;
             continue;
         }

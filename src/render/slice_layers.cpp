@@ -55,13 +55,15 @@ const CellBlueprint* SliceWalk::joinedNear(const Block& block, Border border) co
 // Whether a block and the one above it, or below, are parts of one mover: then nothing is between
 // them, whether or not they are see-through.
 bool SliceWalk::goesOn(const Block& block, int up) const {
-    if (block.blueprint->mover < 0 || !reachesEnd(*block.blueprint, up) ||
-        isAbsent(block.level + up))
+    const auto reaches = [](const CellBlueprint& blueprint, int end) {
+        return end > 0 ? blueprint.goesUp() : blueprint.goesDown();
+    };
+    if (block.blueprint->mover < 0 || !reaches(*block.blueprint, up) || isAbsent(block.level + up))
         return false;
     if (up > 0 ? block.top == clip_.high : block.bottom == clip_.low) return false;
     const CellBlueprint& next =
         frame_.world->blueprints[map_->cell(walk_.tileX, walk_.tileY, block.level + up)];
-    return areOneMover(*block.blueprint, next) && reachesEnd(next, -up);
+    return areOneMover(*block.blueprint, next) && reaches(next, -up);
 }
 
 // Whether a block of the current tile joins the one above it, or below: a touching block of its

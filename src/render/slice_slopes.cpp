@@ -15,11 +15,13 @@ int SliceWalk::rowOfFace(const CellBlueprint& block, Face face, int x, int y, in
                          const Crossing& at) const {
     const std::int32_t base = tileEdge(level).raw - eyeZ_;
     const Slant& slant = block.slopes.of(face);
-    if (slant.isLevel())
-        return rowBelow(base + (face == Face::top ? block.top : block.bottom).raw, at);
-    return firstRowBelow(
+    const int end = rowBelow(base + (face == Face::top ? block.top : block.bottom).raw, at);
+    if (slant.isLevel()) return end;
+    const int row = firstRowBelow(
         *projection_,
         SlopedPlane(block.slopes, slant, x, y, base, vista_->viewpoint, ray_, *projection_), at);
+    if (face == Face::top) return block.isCutAbove() ? std::max(row, end) : row;
+    return block.isCutBelow() ? std::min(row, end) : row;
 }
 
 // Finds where a face is met: between its rows at the two borders.
@@ -38,7 +40,7 @@ SliceWalk::FaceOfSlopes SliceWalk::faceOfSlopes(const Block& block, Face face) c
                             tileEdge(block.level).raw - eyeZ_, vista_->viewpoint, ray_,
                             *projection_);
     found.isSloped = true;
-    found.slope = {plane.height, plane.horizon};
+    found.plane = plane;
     found.atEnter = firstRowBelow(*projection_, plane, enter_);
     found.atLeave = firstRowBelow(*projection_, plane, leave_);
     return found;
@@ -47,8 +49,9 @@ SliceWalk::FaceOfSlopes SliceWalk::faceOfSlopes(const Block& block, Face face) c
 // Meets the side that rays enter, and the level face at the block's end nearer to the eye's height.
 SliceWalk::MetSlopes SliceWalk::enterSlopes(const Block& block) {
     const MetSlopes met = {faceOfSlopes(block, Face::top), faceOfSlopes(block, Face::bottom)};
-    enterSide(block, met.top.atEnter,
-              std::min(met.bottom.atEnter, firstRowNotReflected(Border::enter)));
+    enterSide(
+        block, endOfSide(block, met.top, Border::enter),
+        std::min(endOfSide(block, met.bottom, Border::enter), firstRowNotReflected(Border::enter)));
     if (!met.top.isSloped) passFace(block, met.top, false);
     if (!met.bottom.isSloped) passFace(block, met.bottom, false);
     return met;
@@ -60,8 +63,28 @@ void SliceWalk::passSlopes(const Block& block, const MetSlopes& met) {
     if (met.bottom.isSloped) passFace(block, met.bottom, false);
     passFace(block, met.top, true);
     passFace(block, met.bottom, true);
-    leaveSide(block, met.top.atLeave,
-              std::min(met.bottom.atLeave, firstRowNotReflected(Border::leave)));
+    leaveSide(
+        block, endOfSide(block, met.top, Border::leave),
+        std::min(endOfSide(block, met.bottom, Border::leave), firstRowNotReflected(Border::leave)));
+}
+
+// The first row below a side's upper or lower end at a border.
+int SliceWalk::endOfSide(const Block& block, const FaceOfSlopes& face, Border at) const {
+    const int row = at == Border::enter ? face.atEnter : face.atLeave;
+    if (face.face == Face::top)
+        return block.blueprint->isCutAbove() ? std::max(row, rowBelow(block.top, at)) : row;
+    return block.blueprint->isCutBelow() ? std::min(row, rowBelow(block.bottom, at)) : row;
+}
+
+// Leaves the rows in which a part of a moving block has a slope: elsewhere other parts have it.
+void SliceWalk::cutToPart(const Block& block, const FaceOfSlopes& at, bool isDownwards, int& first,
+                          int& last) const {
+    const auto keep = [&](std::int32_t rise, bool keepsBelow) {
+        keepRowsAt(*projection_, at.plane, rise / 65536.0, keepsBelow, isDownwards, first, last);
+    };
+    const Slant& slant = block.blueprint->slopes.of(at.face);
+    if (slant.most() > block.blueprint->top) keep(block.top, true);
+    if (slant.least() < block.blueprint->bottom) keep(block.bottom, false);
 }
 
 // Takes the rows that enter a block through a face, or leave it.
@@ -76,8 +99,11 @@ void SliceWalk::passFace(const Block& block, const FaceOfSlopes& at, bool leavin
         const int horizon = projection_->firstFallingRow;
         (isDownwards ? first : last) =
             isDownwards ? std::max(first, horizon) : std::min(last, horizon);
-    } else if (at.slope.height == 0.0) {
+        if (goesOn(block, isTop ? 1 : -1)) return;
+    } else if (at.plane.height == 0.0) {
         return;  // it is met at depth 0
+    } else {
+        cutToPart(block, at, isDownwards, first, last);
     }
     last = std::min(last, firstRowNotReflected(Border::leave));
     if (first >= last || !open_.mayHold(first, last)) return;
@@ -99,7 +125,7 @@ void SliceWalk::takeSlope(const Block& block, const FaceOfSlopes& at, int firstR
         span.face = at.face;
         span.level = block.level;
         span.layer = isLayer;
-        span.slope = at.slope;
+        span.slope = {at.plane.height, at.plane.horizon};
     };
     if (isLayer) {
         open_.each(firstRow, lastRow, add);

@@ -83,7 +83,7 @@ private:
     struct FaceOfSlopes {
         Face face = Face::top;
         bool isSloped = false;  // else level
-        SpanSlope slope;
+        SlopedPlane plane;
         int atEnter = 0;  // the first row below it there
         int atLeave = 0;
     };
@@ -188,6 +188,9 @@ private:
     }
     MetSlopes enterSlopes(const Block& block);
     void passSlopes(const Block& block, const MetSlopes& met);
+    int endOfSide(const Block& block, const FaceOfSlopes& face, Border at) const;
+    void cutToPart(const Block& block, const FaceOfSlopes& at, bool isDownwards, int& first,
+                   int& last) const;
     void passFace(const Block& block, const FaceOfSlopes& at, bool leaving);
     void takeSlope(const Block& block, const FaceOfSlopes& at, int firstRow, int lastRow);
 

@@ -58,7 +58,7 @@ void SlicePainter::paintSlope(const Span& span, Lay lay) {
         }
         const PlaneRows shades = table.rows(lighting.foggy);
         Pixel* const pixels = pixels_ + first;
-        const bool isSlow = points.anyOnBorder(shades.inverseOffsets, 0, rows);
+        const bool isSlow = plane.isShifted() || points.anyOnBorder(shades.inverseOffsets, 0, rows);
         const auto isClear = [&](int row) {
             return !isSlow && points.isInside(shades.inverseOffsets[row]);
         };

@@ -14,6 +14,7 @@ SlopedPlane::SlopedPlane(const Slopes& slopes, const Slant& slant, int x, int y,
     height = static_cast<double>(above) / 4294967296.0;
     horizon = projection.horizon - rise * (alongX ? ray.x : ray.y);
     // #endregion
+    climb = rise * (alongX ? ray.x : ray.y);
     // East and south in the eye's own map lead there, after the turns of portals
     isMajor = (eye.turn % 2 == 0) == alongX;
     const bool isAgainst = alongX ? eye.turn == 1 || eye.turn == 2 : eye.turn >= 2;
@@ -25,6 +26,26 @@ int firstRowBelowHeight(const Projection& projection, double height, const Cross
     if (border.distance <= 0.0) return height > 0.0 ? 0 : projection.height;
     return projection.firstRowBelowRow(projection.horizon - height * border.speed / border.distance,
                                        (height > 0.0) == border.early);
+}
+
+// The plane is at that height along a level line, which one row's ray meets.
+void keepRowsAt(const Projection& projection, const SlopedPlane& plane, double height,
+                bool keepsBelow, bool isDownwards, int& first, int& last) {
+    const double over = height - plane.height;
+    if (plane.climb == 0.0 || over == 0.0 || (over > 0.0) != (plane.climb > 0.0)) {
+        // The line is not ahead: the whole plane there is on one side
+        const bool isBelow = plane.climb != 0.0 ? plane.climb < 0.0 : over > 0.0;
+        if (isBelow != keepsBelow) last = first;
+        return;
+    }
+    const int row =
+        projection.firstRowBelowRow(projection.horizon - height * (plane.climb / over), false);
+    const bool keepsNear = (plane.climb > 0.0) == keepsBelow;
+    if (keepsNear == isDownwards) {
+        first = std::max(first, row);
+    } else {
+        last = std::min(last, row);
+    }
 }
 
 // Across its rise, the plane's edges are level. Elsewhere ties are decided by the eye's greatest

@@ -203,9 +203,6 @@ void checkSlopes(Reading& reading, const Fields& fields, const CellBlueprint& bl
     if (const auto diagonal = fields.find("diagonal"))
         reading.checker.add(*diagonal, "a half of a tile with slopes",
                             "\"rise\" or \"diagonal\", not both");
-    if (const auto motion = fields.find("motion"))
-        reading.checker.add(*motion, "a block with slopes that moves",
-                            "\"rise\" or \"motion\", not both");
     const auto faces = fields.find("faces");
     if (faces && !blueprint.slopes.top.isLevel() && blueprint.face(Face::top).mirror > 0)
         reading.checker.add(*faces, "a mirror on a slope", "a level \"top\", or no \"mirror\"");

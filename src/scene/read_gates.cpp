@@ -157,6 +157,9 @@ void checkMotion(Reading& reading, JsonValue value, const CellBlueprint& bluepri
                         {"a gate that reaches ", roundedText(fastest, 4), " units per second"},
                         "at most 4 units per second; more \"seconds\" make it slower");
     }
+    if (blueprint.slopes.any() && motion.edges != MovingEdges::both)
+        checker.add(value, "a block with slopes of which only some edges move",
+                    "a motion with \"moves\": \"both\"");
     if (!motion.isSideways()) return;
     if (blueprint.plan.half != Half::none)
         checker.add(value, "a half of a tile that moves sideways",

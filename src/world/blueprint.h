@@ -47,7 +47,7 @@ struct CellBlueprint {
     Coordinate bottom;             // its lowest point, 0 <= bottom < top
     Coordinate top = tileEdge(1);  // its highest, <= 1
     Plan plan;                     // see markPlans; not of water or blocks with portals
-    Slopes slopes;                 // not of water, halves, nor blocks that move or have portals
+    Slopes slopes;                 // not of water, halves, nor blocks with portals
     std::array<FaceBlueprint, kFaces> faces;
     bool seeThrough = false;  // a texel of a face has alpha below 255; set by markSeeThrough
     bool join =
@@ -79,6 +79,12 @@ struct CellBlueprint {
     // Reaches the upper end of its level everywhere, or the lower one.
     bool fillsUp() const { return top == tileEdge(1) && slopes.top.isLevel(); }
     bool fillsDown() const { return bottom == Coordinate{0} && slopes.bottom.isLevel(); }
+    // A part of a block that moves up and down, whose slope goes on in the level above, or below.
+    bool isCutAbove() const { return !slopes.top.isLevel() && slopes.top.most() > top; }
+    bool isCutBelow() const { return !slopes.bottom.isLevel() && slopes.bottom.least() < bottom; }
+    // Reaches the upper end of its level somewhere at least, or the lower one.
+    bool goesUp() const { return fillsUp() || isCutAbove(); }
+    bool goesDown() const { return fillsDown() || isCutBelow(); }
     // Fills its tile and is level.
     bool isBox() const { return plan.isWhole() && !slopes.any(); }
     const FaceBlueprint& face(Face f) const { return faces[static_cast<std::size_t>(f)]; }

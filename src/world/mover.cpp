@@ -28,6 +28,48 @@ Coordinate groundOf(const Extent& extent) {
     return std::max(extent.low, extent.high);
 }
 
+// The least height above all of the top between two places along the slope's axis, and the greatest
+// below all of the underside.
+Coordinate topBetween(const Slant& slant, Coordinate low, Coordinate high) {
+    const std::int64_t most = std::max(slant.heightAt(low.raw), slant.heightAt(high.raw));
+    return {static_cast<std::int32_t>((most + 0xffff) >> 16)};
+}
+Coordinate bottomBetween(const Slant& slant, Coordinate low, Coordinate high) {
+    const std::int64_t least = std::min(slant.heightAt(low.raw), slant.heightAt(high.raw));
+    return {static_cast<std::int32_t>(least >> 16)};
+}
+
+// Cuts the extent of a shaft that goes along its slopes' axis to where it has a point between two
+// heights above its level.
+void cutToHeights(Extent& extent, const Shaft& shaft, Coordinate offset, Coordinate bottom,
+                  Coordinate top) {
+    const auto cut = [&](const Slant& slant, Coordinate height, bool keepsHigher) {
+        if (slant.isLevel()) return;
+        // The place at that height, in 1/65536 units, rounded away from what is kept
+        const std::int64_t number = (std::int64_t{height.raw} - slant.from.raw) * 65536;
+        const std::int64_t rise = slant.rise();
+        const bool keepsHigh = (rise > 0) == keepsHigher;
+        std::int64_t place = number / rise;
+        if (number % rise != 0 && (number < 0) == (rise < 0) && !keepsHigh) ++place;
+        if (number % rise != 0 && (number < 0) != (rise < 0) && keepsHigh) --place;
+        const std::int64_t at =
+            place + slant.shift.raw + tileEdge(shaft.low.tile()).raw + offset.raw;
+        const Coordinate end = {static_cast<std::int32_t>(
+            std::clamp<std::int64_t>(at, extent.low.raw, extent.high.raw))};
+        (keepsHigh ? extent.low : extent.high) = end;
+    };
+    cut(shaft.slopes.top, bottom, true);
+    cut(shaft.slopes.bottom, top, false);
+}
+
+// The part of a plan along the slope's axis that a box in tile (x, y) lies over or under.
+Extent sharedAlong(const Slopes& slopes, const Plan& plan, int x, int y, const Box& box) {
+    return slopes.alongX ? Extent{std::max(plan.west, box.west - tileEdge(x)),
+                                  std::min(plan.east, box.east - tileEdge(x))}
+                         : Extent{std::max(plan.north, box.north - tileEdge(y)),
+                                  std::min(plan.south, box.south - tileEdge(y))};
+}
+
 const Motion& motionOf(const World& world, const Mover& mover) {
     return world.motions[static_cast<std::size_t>(mover.motion)];
 }
@@ -38,7 +80,19 @@ std::span<CellBlueprint> partsOf(World& world, const Shaft& shaft) {
         .subspan(shaft.firstPart, static_cast<std::size_t>(shaft.last - shaft.first + 1));
 }
 
-// Updates a shaft's parts; their textures move with it.
+// The slopes of a shaft in one of the places that it reaches. Where they are wholly outside of the
+// cell, the part is level.
+Slopes slopesAt(const Shaft& shaft, Axis axis, Coordinate offset, int place) {
+    const Coordinate way = offset + tileEdge(shaft.low.tile() - place);
+    Slopes slopes =
+        moved(shaft.slopes, axis == Axis::x ? way : Coordinate{},
+              axis == Axis::y ? way : Coordinate{}, axis == Axis::z ? way : Coordinate{});
+    if (slopes.top.least() >= tileEdge(1)) slopes.top = {tileEdge(1), tileEdge(1)};
+    if (slopes.bottom.most() <= Coordinate{0}) slopes.bottom = {};
+    return slopes;
+}
+
+// Updates a shaft's parts; their textures and slopes move with it.
 void placeShaft(World& world, const Mover& mover, const Shaft& shaft, Coordinate offset) {
     const Motion& motion = motionOf(world, mover);
     const Extent extent = extentOf(shaft, motion.edges, offset);
@@ -56,6 +110,7 @@ void placeShaft(World& world, const Mover& mover, const Shaft& shaft, Coordinate
         (motion.axis == Axis::x   ? part.textureEast
          : motion.axis == Axis::y ? part.textureSouth
                                   : part.textureRise) = {offset.raw & 0xffff};
+        if (shaft.slopes.any()) part.slopes = slopesAt(shaft, motion.axis, offset, place);
         const bool isEmpty = highEdge(part, motion.axis) <= lowEdge(part, motion.axis);
         if (isEmpty != wasEmpty) {
             for (const std::size_t first : shaft.firstCells) {
@@ -131,8 +186,16 @@ void Move::meetUpright(Body& body) const {
                 if (edges == MovingEdges::low ||
                     !isOver(world.blueprints[shaft.firstPart].plan, x, y, box))
                     continue;
-                const Extent before = extentOf(shaft, edges, mover.offset);
-                const Extent after = extentOf(shaft, edges, offset);
+                Extent before = extentOf(shaft, edges, mover.offset);
+                Extent after = extentOf(shaft, edges, offset);
+                if (shaft.slopes.any()) {
+                    const Extent shared = sharedAlong(
+                        shaft.slopes, world.blueprints[shaft.firstPart].plan, x, y, box);
+                    const Coordinate top = tileEdge(shaft.low.tile()) +
+                                           topBetween(shaft.slopes.top, shared.low, shared.high);
+                    before.high = top + mover.offset;
+                    after.high = top + offset;
+                }
                 const Coordinate rise = groundOf(after) - groundOf(before);
                 const Coordinate above = box.bottom - groundOf(before);
                 if (rise > Coordinate{0} && above >= Coordinate{0} && above < rise)
@@ -186,16 +249,36 @@ void Move::meetLine(Body& body, const Shaft& shaft, int across, int level) const
         tileEdge(across) + side.high <= (alongX ? box.north : box.west))
         return;
     const Extent self = alongX ? Extent{box.west, box.east} : Extent{box.north, box.south};
-    const Extent before = extentOf(shaft, motion.edges, mover.offset);
-    const Extent after = extentOf(shaft, motion.edges, offset);
-    const Coordinate top = tileEdge(level) + part.top;
+    Extent before = extentOf(shaft, motion.edges, mover.offset);
+    Extent after = extentOf(shaft, motion.edges, offset);
+    const bool isOnLine = before.low < self.high && before.high > self.low;
+    Coordinate top = tileEdge(level) + part.top;
+    Coordinate bottom = tileEdge(level) + part.bottom;
+    const Slopes& slopes = shaft.slopes;
+    const bool risesAlong = slopes.any() && slopes.alongX == alongX;
+    if (risesAlong && isOnLine) {
+        const Coordinate start = tileEdge(shaft.low.tile()) + mover.offset;
+        top = tileEdge(level) + topBetween(slopes.top, std::max(self.low, before.low) - start,
+                                           std::min(self.high, before.high) - start);
+    } else if (slopes.any() && !risesAlong) {
+        const Extent shared = sharedAlong(slopes, part.plan, across, across, box);
+        top = tileEdge(level) + topBetween(slopes.top, shared.low, shared.high);
+        bottom = tileEdge(level) + bottomBetween(slopes.bottom, shared.low, shared.high);
+    }
     if (box.bottom == top) {
-        const bool rests = body.rides && before.low < self.high && before.high > self.low;
+        const bool rests = body.rides && isOnLine;
         if (rests && motion.edges == MovingEdges::both && body.push == Coordinate{0})
             body.push = offset - mover.offset;
-        return;
+        if (rests || !risesAlong) return;
     }
-    if (box.bottom > top || box.top <= tileEdge(level) + part.bottom || after.isEmpty()) return;
+    if (risesAlong) {
+        const Coordinate way = offset - mover.offset;
+        cutToHeights(before, shaft, mover.offset, box.bottom - tileEdge(level),
+                     box.top - tileEdge(level));
+        after = {before.low + way, before.high + way};
+        top = tileEdge(level) + part.top;
+    }
+    if (box.bottom >= top || box.top <= bottom || after.isEmpty()) return;
     if (self.low >= before.high && self.low < after.high)
         body.push = std::max(body.push, after.high - self.low);
     if (self.high <= before.low && self.high > after.low)

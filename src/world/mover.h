@@ -15,6 +15,9 @@
 // that stand on its top or that it meets from below; bodies that rest on it go down with it too.
 // One that goes sideways pushes bodies before it, and takes along those that rest on it, as far as
 // they have room. It takes nobody into a portal or out of one.
+//
+// Slopes go along with their block: each part has those of the whole block, cut off at the part's
+// edges. A body stands at the height of the slope's highest point below it.
 #pragma once
 
 #include "base/coordinate.h"
@@ -37,6 +40,7 @@ inline constexpr std::size_t kMaxMovingCells = 1'000'000;
 struct Shaft {
     Coordinate low;  // along the axis, without the motion's offset
     Coordinate high;
+    Slopes slopes;  // of a block with slopes, which is `low.tile()` along the axis, in its cell
     int first = 0;  // the levels, or tiles, that it can reach
     int last = 0;
     BlueprintId firstPart = kEmptyCell;   // in `first`; those of the next places follow it

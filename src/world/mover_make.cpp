@@ -45,7 +45,9 @@ struct Maker {
     void makeMover(int mapIndex, std::vector<CellPlace> group);
     bool makeShaft(int mapIndex, const Run& run, const Motion& motion, int mover, Shaft& shaft);
     bool findReach(int mapIndex, const Run& run, const Motion& motion, Shaft& shaft);
-    bool takeRun(int mapIndex, const Run& run, Axis axis, Shaft& shaft);
+    bool takeRun(int mapIndex, const Run& run, const Motion& motion, Shaft& shaft);
+    bool hasRoomForSlopes(int mapIndex, const Run& run, const Motion& motion,
+                          const CellPlace& cell);
 };
 
 std::string numberText(Coordinate number) {
@@ -65,6 +67,16 @@ bool Maker::makeShaft(int mapIndex, const Run& run, const Motion& motion, int mo
     const std::string block = blockOf(run.blueprints[0]);
     CellBlueprint lowest = world.blueprints[run.blueprints.front()];
     CellBlueprint highest = world.blueprints[run.blueprints.back()];
+    if (const Slopes& slopes = lowest.slopes;
+        slopes.any() && run.blueprints.size() > 1 &&
+        (!motion.isSideways() || slopes.alongX == (motion.axis == Axis::x))) {
+        addFault(mapIndex, run.at,
+                 motion.isSideways() ? words(block, " in a row along its \"rise\"")
+                                     : words(block, " stacked, with slopes between its parts"),
+                 motion.isSideways() ? "a motion across the \"rise\", or one tile alone"
+                                     : "level moving blocks where they are stacked");
+        return false;
+    }
     for (std::size_t i = 0; i + 1 < run.blueprints.size(); ++i) {
         CellBlueprint part = world.blueprints[run.blueprints[i]];
         CellBlueprint next = world.blueprints[run.blueprints[i + 1]];
@@ -80,6 +92,7 @@ bool Maker::makeShaft(int mapIndex, const Run& run, const Motion& motion, int mo
                      : "a bottom of 0 and a top of 1 where moving blocks are stacked");
         return false;
     }
+    shaft.slopes = lowest.slopes;
     shaft.low = tileEdge(run.placeIn(motion.axis)) + lowEdge(lowest, motion.axis);
     shaft.high = tileEdge(run.lastIn(motion.axis)) + highEdge(highest, motion.axis);
     if (!findReach(mapIndex, run, motion, shaft)) return false;
@@ -142,8 +155,44 @@ bool Maker::findReach(int mapIndex, const Run& run, const Motion& motion, Shaft&
     return true;
 }
 
+// Whether neither a ceiling nor the rays of a portal begin between the lowest and the highest point
+// of a block with slopes that comes to a cell.
+bool Maker::hasRoomForSlopes(int mapIndex, const Run& run, const Motion& motion,
+                             const CellPlace& cell) {
+    const Map& map = world.maps[static_cast<std::size_t>(mapIndex)];
+    const std::string block = words(blockOf(run.blueprints[0]), " with slopes");
+    const std::string where = words(" tile (", cell.x, ", ", cell.y, ")");
+    const CellBlueprint& shape = world.blueprints[run.blueprints[0]];
+    const bool isUpright = !motion.isSideways();
+    const Coordinate least = isUpright ? std::min(motion.from, motion.to) : Coordinate{};
+    const Coordinate most = isUpright ? std::max(motion.from, motion.to) : Coordinate{};
+    const Ceiling& ceiling = map.ceiling;
+    if (!ceiling.tiles.empty() && ceiling.tiles[map.tileIndex(cell.x, cell.y)] != kNoTexture &&
+        ceiling.height > tileEdge(run.at.level) + shape.bottom + least &&
+        ceiling.height < tileEdge(run.at.level) + shape.top + most) {
+        addFault(mapIndex, run.at, words(block, " that moves through the ceiling of", where),
+                 "a motion above or below the ceiling, or none there");
+        return false;
+    }
+    for (const CellBlueprint& other : world.blueprints) {
+        for (const Face face : {Face::top, Face::bottom}) {
+            const PortalId id = other.face(face).portal;
+            if (id == kNoPortal || world.portals[id].toMap != mapIndex ||
+                world.portals[id].toX != cell.x || world.portals[id].toY != cell.y)
+                continue;
+            addFault(mapIndex, run.at,
+                     words(block, " that moves to", where,
+                           ", where a portal in a roof or an underside leads"),
+                     "a motion elsewhere, or a level block");
+            return false;
+        }
+    }
+    return true;
+}
+
 // Takes the cells that a run reaches, which must be empty except for its own.
-bool Maker::takeRun(int mapIndex, const Run& run, Axis axis, Shaft& shaft) {
+bool Maker::takeRun(int mapIndex, const Run& run, const Motion& motion, Shaft& shaft) {
+    const Axis axis = motion.axis;
     Map& map = world.maps[static_cast<std::size_t>(mapIndex)];
     const std::size_t reached =
         static_cast<std::size_t>(shaft.last - shaft.first + 1) - run.blueprints.size();
@@ -171,6 +220,7 @@ bool Maker::takeRun(int mapIndex, const Run& run, Axis axis, Shaft& shaft) {
                                  : "empty cells wherever it moves");
             return false;
         }
+        if (shaft.slopes.any() && !hasRoomForSlopes(mapIndex, run, motion, cell)) return false;
         map.setChangingCell(cell.x, cell.y, cell.level,
                             static_cast<BlueprintId>(shaft.firstPart + (place - shaft.first)));
     }
@@ -212,7 +262,7 @@ void Maker::makeMover(int mapIndex, std::vector<CellPlace> group) {
             runs.push_back(run);
         }
         Shaft& shaft = mover.shafts[number];
-        if (!takeRun(mapIndex, run, axis, shaft)) return;
+        if (!takeRun(mapIndex, run, motion, shaft)) return;
         const bool alongX = axis == Axis::x;
         const bool alongY = axis == Axis::y;
         mover.west = std::min(mover.west, alongX ? shaft.first : run.at.x);

@@ -8,6 +8,9 @@
 //
 // Heights are above the base of the block's level. Nothing on a slant is rounded: a point of the
 // grid of coordinates has a height that is a multiple of 1/2^32.
+//
+// A block that moves takes its slants along: up and down they get other heights, which may be those
+// of other levels; along their axis both lines are shifted.
 #pragma once
 
 #include "base/coordinate.h"
@@ -27,6 +30,7 @@ inline constexpr Coordinate kSteepest = {65536 * 3 / 4};
 struct Slant {
     Coordinate from;
     Coordinate to;
+    Coordinate shift = {};  // of both lines, east or south
 
     constexpr bool isLevel() const { return from == to; }
     constexpr Coordinate least() const { return std::min(from, to); }
@@ -34,7 +38,11 @@ struct Slant {
     constexpr std::int32_t rise() const { return to.raw - from.raw; }  // per unit, in 1/65536
     // At a place of the tile, in 1/2^32 units; `at` may lie beyond the tile.
     constexpr std::int64_t heightAt(std::int64_t at) const {
-        return (std::int64_t{from.raw} << 16) + std::int64_t{rise()} * at;
+        return std::int64_t{from.raw} * 65536 + std::int64_t{rise()} * (at - shift.raw);
+    }
+    // The same in units, rounded.
+    constexpr double valueAt(double at) const {
+        return from.value() + Coordinate{rise()}.value() * (at - shift.value());
     }
     friend constexpr bool operator==(const Slant&, const Slant&) = default;
 };
@@ -55,6 +63,8 @@ constexpr Slopes slopesTo(Face rise, Slant bottom, Slant top) {
     if (rise == Face::west || rise == Face::north) {
         std::swap(bottom.from, bottom.to);
         std::swap(top.from, top.to);
+        bottom.shift = Coordinate{} - bottom.shift;
+        top.shift = Coordinate{} - top.shift;
     }
     return {rise == Face::east || rise == Face::west, bottom, top};
 }
@@ -67,6 +77,17 @@ constexpr Slopes turned(Slopes slopes, int quarterTurns) {
         } else {
             slopes = slopesTo(Face::west, slopes.bottom, slopes.top);
         }
+    }
+    return slopes;
+}
+
+// The same, moved by a way.
+constexpr Slopes moved(Slopes slopes, Coordinate east, Coordinate south, Coordinate up) {
+    const Coordinate ahead = slopes.alongX ? east : south;
+    for (Slant* const slant : {&slopes.bottom, &slopes.top}) {
+        slant->from = slant->from + up;
+        slant->to = slant->to + up;
+        if (!slant->isLevel()) slant->shift = slant->shift + ahead;
     }
     return slopes;
 }
@@ -88,7 +109,8 @@ constexpr std::optional<WayPart> wayBetween(const Slopes& slopes, int x, int y, 
     const auto keep = [&](const Slant& slant, double sign) {
         const double rise = Coordinate{slant.rise()}.value();
         const double at = slopes.alongX ? from.x - x : from.y - y;
-        const double first = sign * (from.z - base - slant.from.value() - rise * at);
+        const double first =
+            sign * (from.z - base - slant.from.value() - rise * (at - slant.shift.value()));
         const double every =
             sign * (direction.z - rise * (slopes.alongX ? direction.x : direction.y));
         if (every == 0.0) return first > 0.0;

@@ -274,6 +274,53 @@ CellBlueprint anyShape(Random& random, const World& world) {
     return shape;
 }
 
+// Blocks with slopes that go east, south or up, into a cell of their own, where there is room.
+void addRamps(Random& random, World& world) {
+    for (int i = 0; i < 30; ++i) {
+        const Axis axis = static_cast<Axis>(i % 3);
+        const auto heights = [&](int low, int high) {
+            Slant slant;
+            slant.from = {random.between(low, high)};
+            slant.to = {random.between(low, high)};
+            return slant;
+        };
+        const Slant bottom = heights(0, 20000);
+        const Slant top = heights(20001, 65536);
+        CellBlueprint ramp = world.blueprints[static_cast<std::size_t>(1 + i % 2)];
+        for (FaceBlueprint& face : ramp.faces) face.portal = kNoPortal;
+        ramp.faces[static_cast<std::size_t>(Face::top)].mirror = 0;
+        ramp.name = "ramp " + std::to_string(i);
+        ramp.plan = {};
+        ramp.slopes = slopesTo(static_cast<Face>(random.below(4)), bottom, top);
+        ramp.bottom = bottom.least();
+        ramp.top = top.most();
+        ramp.motion = static_cast<int>(world.motions.size());
+        Motion motion;
+        motion.name = ramp.name;
+        motion.axis = axis;
+        motion.to = {random.between(1, 65536)};
+        motion.periodSteps = random.between(200, 800);
+        motion.phaseSteps = random.below(200);
+        const auto map =
+            static_cast<std::size_t>(random.below(static_cast<int>(world.maps.size())));
+        const Cell at = anyCell(random, world.maps[map]);
+        World trial = world.copy();
+        Map& there = trial.maps[map];
+        const Cell next = {at.x + (axis == Axis::x ? 1 : 0), at.y + (axis == Axis::y ? 1 : 0),
+                           at.level + (axis == Axis::z ? 1 : 0)};
+        if (!there.contains(next.x, next.y) || next.level >= there.levels) continue;
+        trial.blueprints.push_back(std::move(ramp));
+        trial.motions.push_back(std::move(motion));
+        if (!trial.blueprints[there.cell(at.x, at.y, at.level)].isStill() ||
+            !trial.blueprints[there.cell(next.x, next.y, next.level)].isStill())
+            continue;
+        there.setCell(next.x, next.y, next.level, kEmptyCell);
+        there.setCell(at.x, at.y, at.level, static_cast<BlueprintId>(trial.blueprints.size() - 1));
+        World made = trial.copy();
+        if (makeMovers(made).empty()) world = std::move(trial);
+    }
+}
+
 }  // namespace
 
 void addShapes(Random& random, World& world) {
@@ -367,13 +414,14 @@ void addSkyAndRipples(Random& random, World& world) {
         block.faces[static_cast<std::size_t>(Face::top)].ripples = channel();
 }
 
-void addFeatures(Random& random, World& world) {
+void addFeatures(Random& random, World& world, bool withRamps) {
     addSeeThrough(random, world);
     addMirrors(random, world);
     addPortals(random, world);
     addObjects(random, world);
     addMovers(random, world);
     addSliders(random, world);
+    if (withRamps) addRamps(random, world);
     if (!makeMovers(world).empty() || !makeGates(world).empty()) std::abort();
     markPortals(world);
     addWater(random, world);

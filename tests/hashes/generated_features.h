@@ -7,8 +7,9 @@
 
 namespace slicecast {
 
-// To a world with one map. The same from every compiler.
-void addFeatures(Random& random, World& world);
+// To a world with one map. The same from every compiler. Some blocks with slopes move too if asked
+// for.
+void addFeatures(Random& random, World& world, bool withRamps);
 
 // Thin blocks, halves of tiles, slopes; after everything that moves or leads elsewhere.
 void addShapes(Random& random, World& world);

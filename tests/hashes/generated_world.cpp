@@ -145,7 +145,7 @@ World generatedWorld(std::uint64_t seed) {
                    static_cast<Sky::Kind>((seed + static_cast<std::uint64_t>(i)) % 3)));
         world.maps.back().name += " " + std::to_string(i);
     }
-    if (withFeatures) addFeatures(random, world);
+    if (withFeatures) addFeatures(random, world, seed >= kFirstWithRamps);
     if (seed % 4 >= 2) addShapes(random, world);
     if (seed % 6 >= 3) addLight(random, world);
     if (seed % 5 >= 3) {

@@ -12,6 +12,9 @@
 
 namespace slicecast {
 
+// From this seed on, some of what moves has slopes, so that the worlds before stay what they are.
+inline constexpr std::uint64_t kFirstWithRamps = 97;
+
 World generatedWorld(std::uint64_t seed);
 
 struct GeneratedView {

@@ -256,6 +256,9 @@ int printAll(const std::filesystem::path& assets) {
     constexpr std::uint64_t kWorlds = 96;
     Shown shown;
     for (std::uint64_t i = 0; i < kWorlds; ++i) printGenerated(i, shown);
+    // Only odd ones have blocks that move
+    for (std::uint64_t i = kFirstWithRamps; i < kFirstWithRamps + 24; i += 2)
+        printGenerated(i, shown);
     if (!shown.isEverything()) {
         std::fprintf(stderr,
                      "picture-hashes: generated views show too little: %d portals deep, %" PRId64

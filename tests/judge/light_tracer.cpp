@@ -126,6 +126,10 @@ std::optional<LightTracer::Solid> LightTracer::solidAt(int x, int y, int level) 
     const std::int64_t west = tileEdge(x).raw;
     const std::int64_t north = tileEdge(y).raw;
     const std::int64_t base = tileEdge(level).raw;
+    // How far the motion's offset is beyond a quarter of a unit; slopes lie that much further back
+    const std::int64_t beyondX = block.textureEast.raw % kQuarterUnit;
+    const std::int64_t beyondY = block.textureSouth.raw % kQuarterUnit;
+    const std::int64_t beyondZ = block.textureRise.raw % kQuarterUnit;
     Solid solid;
     solid.low = {west + low[0], north + low[1], base + low[2]};
     solid.high = {west + high[0], north + high[1], base + high[2]};
@@ -139,13 +143,14 @@ std::optional<LightTracer::Solid> LightTracer::solidAt(int x, int y, int level) 
             // Heights over the edges of the tile where the slope's axis begins and ends
             const Slant& slant = which == Face::top ? block.slopes.top : block.slopes.bottom;
             const std::int64_t rise = slant.isLevel() ? 0 : slant.to.raw - slant.from.raw;
-            const std::int64_t height = base + (!slant.isLevel()     ? slant.from.raw
+            const std::int64_t height = base + (!slant.isLevel()     ? slant.from.raw - beyondZ
                                                 : which == Face::top ? high[2]
                                                                      : low[2]);
             const std::size_t along = block.slopes.alongX ? 0 : 1;
             plane.n[2] = 65536;
             plane.n[along] = -rise;
-            plane.c = rise * (along == 0 ? west : north) - 65536 * height;
+            plane.c = rise * ((along == 0 ? west - beyondX : north - beyondY) + slant.shift.raw) -
+                      65536 * height;
         } else if (half != Half::none && cutFace(half) == which) {
             // From the north-western corner, or from the south-western one
             const std::int64_t way = isCutFalling(half) ? 1 : -1;
@@ -163,6 +168,16 @@ std::optional<LightTracer::Solid> LightTracer::solidAt(int x, int y, int level) 
             for (std::int64_t& part : plane.n) part = -part;
             plane.c = -plane.c;
         }
+        solid.planes.push_back(plane);
+    }
+    // A moving slope goes on beyond its part, which ends with its box
+    for (const auto& [which, end] :
+         {std::pair{Face::top, solid.high[2]}, {Face::bottom, -solid.low[2]}}) {
+        if (block.mover < 0 || block.slopes.of(which).isLevel()) continue;
+        Plane plane;
+        plane.face = static_cast<int>(which);
+        plane.n[2] = which == Face::top ? 65536 : -65536;
+        plane.c = -65536 * end;
         solid.planes.push_back(plane);
     }
     return solid;

@@ -1,6 +1,7 @@
 #include "random_portals.h"
 
 #include <algorithm>
+#include <vector>
 
 namespace slicecast::judge {
 namespace {
@@ -284,6 +285,152 @@ void addSliders(Random& random, World& world, bool coarse) {
                 slider.low = {fraction};
                 slider.high = {fraction + length};
                 placeSlider(world, map, slider);
+            }
+        }
+    }
+    markPlans(world);
+}
+
+namespace {
+
+// Whether rays come out of a roof or an underside in the tile, or its ceiling is between two
+// heights.
+bool isTileTaken(const World& world, int mapIndex, const Cell& cell, Coordinate low,
+                 Coordinate high) {
+    const Map& map = world.maps[static_cast<std::size_t>(mapIndex)];
+    if (!map.ceiling.tiles.empty() && map.ceiling.height > low && map.ceiling.height < high)
+        return true;
+    for (const CellBlueprint& block : world.blueprints) {
+        for (const Face face : {Face::top, Face::bottom}) {
+            if (block.face(face).portal == kNoPortal) continue;
+            const Portal& portal = world.portals[block.face(face).portal];
+            if (portal.toMap == mapIndex && portal.toX == cell.x && portal.toY == cell.y)
+                return true;
+        }
+    }
+    return false;
+}
+
+// A shape of slopes, over its whole plan.
+CellBlueprint anyRamp(Random& random, const CellBlueprint& from, bool coarse) {
+    CellBlueprint ramp = from;
+    const auto height = [&] {
+        return Coordinate{coarse ? random.between(0, 8) * 8192 : random.between(0, 65536)};
+    };
+    Slant bottom;
+    Slant top;
+    do {
+        bottom.from = random.oneIn(2) ? Coordinate{} : height();
+        bottom.to = random.oneIn(2) ? bottom.from : height();
+        top.from = height();
+        top.to = random.oneIn(4) ? top.from : height();
+    } while (bottom.from > top.from || bottom.to > top.to ||
+             (bottom.from == top.from && bottom.to == top.to) ||
+             (bottom.isLevel() && top.isLevel()));
+    ramp.slopes = slopesTo(static_cast<Face>(random.below(4)), bottom, top);
+    ramp.bottom = bottom.least();
+    ramp.top = top.most();
+    for (FaceBlueprint& face : ramp.faces) face.lamp = kNoLamp;
+    if (!top.isLevel()) ramp.faces[static_cast<std::size_t>(Face::top)].mirror = 0;
+    return ramp;
+}
+
+// What two cells along the axis, `place` 0 and 1, hold of a ramp that has gone on from the first by
+// an offset. Heights are those of the cell.
+CellBlueprint partOfRamp(const CellBlueprint& ramp, Axis axis, Coordinate offset, int place) {
+    CellBlueprint part = ramp;
+    const Coordinate way = offset - tileEdge(place);
+    const auto within = [&](Coordinate edge) {
+        return std::clamp(edge + way, Coordinate{0}, tileEdge(1));
+    };
+    Coordinate& low = axis == Axis::x   ? part.plan.west
+                      : axis == Axis::y ? part.plan.north
+                                        : part.bottom;
+    Coordinate& high = axis == Axis::x   ? part.plan.east
+                       : axis == Axis::y ? part.plan.south
+                                         : part.top;
+    low = within(low);
+    high = within(high);
+    for (Slant* const slant : {&part.slopes.bottom, &part.slopes.top}) {
+        if (axis == Axis::z) {
+            slant->from = slant->from + way;
+            slant->to = slant->to + way;
+        } else if (part.slopes.alongX == (axis == Axis::x) && !slant->isLevel()) {
+            slant->shift = way;
+        }
+    }
+    (axis == Axis::x   ? part.textureEast
+     : axis == Axis::y ? part.textureSouth
+                       : part.textureRise) = offset;
+    Slant& top = part.slopes.top;
+    Slant& bottom = part.slopes.bottom;
+    if (std::min(top.from, top.to) >= tileEdge(1)) top = {tileEdge(1), tileEdge(1)};
+    if (std::max(bottom.from, bottom.to) <= Coordinate{0}) bottom = {};
+    return part;
+}
+
+}  // namespace
+
+void addRamps(Random& random, World& world, bool coarse) {
+    const int shapes = static_cast<int>(world.blueprints.size());
+    const int motions = static_cast<int>(world.motions.size());
+    for (const Axis axis : {Axis::x, Axis::y, Axis::z}) {
+        world.motions.emplace_back();
+        world.motions.back().axis = axis;
+    }
+    for (int m = 0; m < static_cast<int>(world.maps.size()); ++m) {
+        Map& map = world.maps[static_cast<std::size_t>(m)];
+        for (int i = random.between(3, 8); i > 0; --i) {
+            const Axis axis = random.oneIn(3) ? (random.oneIn(2) ? Axis::x : Axis::y) : Axis::z;
+            const Cell from = anyCell(random, map);
+            auto shape = static_cast<BlueprintId>(random.between(1, shapes - 1));
+            if (random.oneIn(2)) {  // rather glass, through which one sees from part to part
+                for (int tries = 0; tries < 8 && !world.blueprints[shape].seeThrough; ++tries)
+                    shape = static_cast<BlueprintId>(random.between(1, shapes - 1));
+            }
+            const CellBlueprint& like = world.blueprints[shape];
+            const Coordinate offset = {coarse ? random.below(8) * 8192 : random.below(65536)};
+            const int wide = random.between(1, 2);
+            if (like.hasPortals || like.mover >= 0 || like.isWater || like.plan.half != Half::none)
+                continue;
+            CellBlueprint ramp = anyRamp(random, like, coarse);
+            ramp.origin = like.origin == kEmptyCell ? shape : like.origin;
+            ramp.mover = 9000 + static_cast<int>(world.blueprints.size());
+            ramp.motion = motions + static_cast<int>(axis);
+            if (axis != Axis::z) ramp.join = true;
+            // Two cells along the axis, in one or two rows beside each other
+            std::vector<Cell> cells;
+            bool isTaken = false;
+            for (int place = 0; place < 2 * wide; ++place) {
+                const int along = place % 2;
+                const int beside = place / 2;
+                const Cell at = {from.x + (axis == Axis::x   ? along
+                                           : axis == Axis::z ? beside
+                                                             : 0),
+                                 from.y + (axis == Axis::y   ? along
+                                           : axis == Axis::x ? beside
+                                                             : 0),
+                                 from.level + (axis == Axis::z   ? along
+                                               : axis == Axis::y ? beside
+                                                                 : 0)};
+                const CellBlueprint& there = world.blueprints[map.cell(at.x, at.y, at.level)];
+                isTaken = isTaken || !map.contains(at.x, at.y) || at.level >= map.levels ||
+                          there.hasPortals || there.mover >= 0 ||
+                          isTileTaken(world, m, at, tileEdge(at.level), tileEdge(at.level + 1));
+                cells.push_back(at);
+            }
+            if (isTaken) continue;
+            const auto first = static_cast<BlueprintId>(world.blueprints.size());
+            for (int along = 0; along < 2; ++along)
+                world.blueprints.push_back(partOfRamp(ramp, axis, offset, along));
+            for (std::size_t k = 0; k < cells.size(); ++k) {
+                const Cell& at = cells[k];
+                const auto id = static_cast<BlueprintId>(first + k % 2);
+                const CellBlueprint& part = world.blueprints[id];
+                map.setCell(at.x, at.y, at.level, id);
+                if (part.top <= part.bottom || part.plan.east <= part.plan.west ||
+                    part.plan.south <= part.plan.north)
+                    map.occupied[map.tileIndex(at.x, at.y)] &= ~(1u << at.level);
             }
         }
     }

@@ -29,4 +29,8 @@ void changeMovers(Random& random, World& world);
 // between tiles. In the place of blocks without portals.
 void addSliders(Random& random, World& world, bool coarse);
 
+// Blocks with slopes as those that move are at some moment, up, east or south, in one or two tiles
+// or levels. In the place of blocks without portals.
+void addRamps(Random& random, World& world, bool coarse);
+
 }  // namespace slicecast::judge

@@ -538,6 +538,8 @@ void turnAlongCut(Random& random, Scene& scene, bool isFalling) {
     std::vector<CellBlueprint>& blocks = scene.world.blueprints;
     for (std::size_t i = 1; i < blocks.size(); ++i) {
         blocks[i].plan = blocks[blocks[i].origin].plan;
+        // Then slopes that have gone along lie over the whole tile again
+        blocks[i].slopes.bottom.shift = blocks[i].slopes.top.shift = {};
         Half half = static_cast<Half>(random.between(0, 4));
         if (isCutFalling(half) != isFalling) half = Half::none;
         if (blocks[i].origin == kEmptyCell) blocks[i].plan.half = half;
@@ -601,6 +603,8 @@ Scene randomScene(std::uint64_t seed, int width, int height) {
     Random lamps(seed ^ 0x6c616d70u);
     const bool isLit = lamps.oneIn(4);
     if (slopes.oneIn(3) || (isLit && lamps.oneIn(2))) incline(slopes, scene.world, slopes.oneIn(2));
+    Random ramps(seed ^ 0x72616d70u);
+    if (ramps.oneIn(3)) addRamps(ramps, scene.world, ramps.oneIn(2));
     if (more.oneIn(6)) enterMover(more, scene.world, view);
     if (isLit) light(lamps, scene.world);
     stir(seed, scene.world);
@@ -635,6 +639,8 @@ Scene tieScene(std::uint64_t seed, int width, int height) {
     if (sliders.oneIn(3)) addSliders(sliders, scene.world, true);
     Random slopes(seed ^ 0x736c6f70u);
     if (!slopes.oneIn(3)) incline(slopes, scene.world, true);
+    Random ramps(seed ^ 0x72616d70u);
+    if (ramps.oneIn(2)) addRamps(ramps, scene.world, true);
     Random lamps(seed ^ 0x6c616d70u);
     if (lamps.oneIn(4)) light(lamps, scene.world);
     stir(seed, scene.world);

@@ -122,7 +122,7 @@ Tracer::Walk::Surface Tracer::Walk::surfaceOf(const CellBlueprint& block, int le
     if (slant.isLevel())
         return {.height = base + (which == Face::top ? block.top : block.bottom).value()};
     const double rise = slant.to.value() - slant.from.value();
-    const double way = slopes.alongX ? eye_.x - tile.x : eye_.y - tile.y;
+    const double way = (slopes.alongX ? eye_.x - tile.x : eye_.y - tile.y) - slant.shift.value();
     return {.height = base + slant.from.value() + rise * way,
             .isSloped = true,
             .riseX = slopes.alongX ? rise : 0.0,
@@ -173,6 +173,17 @@ bool Tracer::Walk::isAboveAtStart(const Surface& surface, Edge edge) const {
     }
     const double over = surface.height - eyeZ_;
     return over != 0.0 ? over < 0.0 : surface.riseX + surface.riseY < 0.0;
+}
+
+// The level ends of a block's part in its cell. They cut it off if its slopes go beyond.
+Tracer::Walk::Levels Tracer::Walk::endsOf(const CellBlueprint& block, int level,
+                                          const Place& place) {
+    const auto isBeyond = [&](const Slant& slant) {
+        return !slant.isLevel() && (slant.least() < block.bottom || slant.most() > block.top);
+    };
+    const double base = level - place.levels;
+    return {base + block.bottom.value(), base + block.top.value(),
+            isBeyond(block.slopes.bottom) || isBeyond(block.slopes.top)};
 }
 
 // The border by which the ray leaves the tile.
@@ -410,7 +421,10 @@ BlueprintId Tracer::Walk::blockBehind(const Place& place, Tile tile, const Borde
         const auto isAboveIts = [&](Face which) {
             return isAbove(surfaceOf(blueprint(id), level, which, place, tile), border);
         };
-        if (isAboveIts(Face::bottom) && !isAboveIts(Face::top)) return id;
+        const Levels ends = endsOf(blueprint(id), level, place);
+        if (isAboveIts(Face::bottom) && !isAboveIts(Face::top) &&
+            (!ends.cut || (isAbove(ends.bottom, border) && !isAbove(ends.top, border))))
+            return id;
     }
     return kEmptyCell;
 }
@@ -499,7 +513,10 @@ Tracer::Walk::Then Tracer::Walk::passGrid(const Border& leave) {
         }
         const Surface bottom = surfaceOf(block, level, Face::bottom, place_, tile_);
         const Surface top = surfaceOf(block, level, Face::top, place_, tile_);
-        if (isAboveAtStart(bottom, Edge::bottom) && !isAboveAtStart(top, Edge::top)) {
+        const Levels ends = endsOf(block, level, place_);
+        if (isAboveAtStart(bottom, Edge::bottom) && !isAboveAtStart(top, Edge::top) &&
+            (!ends.cut ||
+             (isAboveAtStart(ends.bottom, Edge::bottom) && !isAboveAtStart(ends.top, Edge::top)))) {
             // At an edge within the tile, blocks that do not begin there go on.
             const bool begins = start_ == Start::border && beginsAt(enter_, id);
             if (begins && enter_.along > 0.0) {
@@ -517,6 +534,11 @@ Tracer::Walk::Then Tracer::Walk::passGrid(const Border& leave) {
             }
             inside_ = level;
             if (start_ == Start::portal) note(Note::outInsideBlock);
+        }
+        if (ends.cut) {
+            count +=
+                cutEvents({bottom, {ends.bottom}, top, {ends.top}}, level, leave, events + count);
+            continue;
         }
         addSurface(bottom, Edge::bottom, level);
         addSurface(top, Edge::top, level);
@@ -543,6 +565,42 @@ Tracer::Walk::Then Tracer::Walk::passGrid(const Border& leave) {
     return Then::leaves;
 }
 
+// A part of a moving block with slopes lies over two surfaces and under two: its own underside and
+// top, and the ends of its cell. The ray is in it from the last one by which it comes in to the
+// first one by which it goes out. Adds up to two events, and returns their number.
+int Tracer::Walk::cutEvents(const std::array<Surface, 4>& surfaces, int level, const Border& leave,
+                            Event* events) const {
+    Event enter{};
+    Event exit{};
+    enter.along = -kNever;
+    exit.along = kNever;
+    for (std::size_t i = 0; i < surfaces.size(); ++i) {
+        const Surface& surface = surfaces[i];
+        const bool isTop = i >= 2;
+        const Edge edge = isTop ? Edge::top : Edge::bottom;
+        const bool isAboveNow = isAboveAtStart(surface, edge);
+        const bool isAboveThen = isAbove(surface, leave);
+        if (isAboveNow == isAboveThen) {
+            if (isAboveNow == isTop) return 0;  // never on its side
+            continue;
+        }
+        const bool leaves = isAboveNow != isTop;
+        const Meeting meeting = meetingOf(surface);
+        // An end of the cell is no face if its side of the block is a slope
+        const bool isEnd = i % 2 == 1;
+        const Event event = {surface.height, meeting.along(), leaves ? 0 : 1, level,
+                             isTop,          leaves,          meeting,        isEnd};
+        if (leaves ? event.along < exit.along || (event.along == exit.along && exit.isEnd)
+                   : event.along > enter.along || (event.along == enter.along && enter.isEnd))
+            (leaves ? exit : enter) = event;
+    }
+    if (enter.along >= exit.along) return 0;
+    int count = 0;
+    if (enter.along != -kNever) events[count++] = enter;
+    if (exit.along != kNever) events[count++] = exit;
+    return count;
+}
+
 // `before` is what was met before in this tile; a block that was left at the same height is the
 // event just before.
 Tracer::Walk::Then Tracer::Walk::meet(const Event& event, const Event* before) {
@@ -560,8 +618,15 @@ Tracer::Walk::Then Tracer::Walk::meet(const Event& event, const Event* before) {
     const CellBlueprint& block = blueprint(id);
     const Face which = event.top ? Face::top : Face::bottom;
     // Only a block that ends where its level does can touch the next one.
-    const bool atLevelsEnd = reachesEnd(block, event.top);
+    const bool atLevelsEnd = block.slopes.of(which).isLevel() && reachesEnd(block, event.top);
+    if (event.isEnd && !block.slopes.of(which).isLevel()) {
+        note(Note::cutSlope);
+        inside_ = event.leaves ? kNoLevel : event.level;
+        return Then::leaves;
+    }
     if (!block.slopes.of(which).isLevel()) {
+        if (block.mover >= 0) note(Note::movedSlope);
+        if (block.slopes.of(which).shift.raw != 0) note(Note::shiftedSlope);
         note(event.leaves ? Note::slopeFromInside : event.top ? Note::slopeRoof : Note::slopeUnder);
         if (event.top && !event.leaves && !falls()) note(Note::slopeAboveHorizon);
         if (!event.top && !event.leaves && falls()) note(Note::slopeBelowHorizon);

@@ -135,6 +135,9 @@ enum class Note : std::uint8_t {
     slopeFromInside,
     slopeAboveHorizon,  // a sloped roof met by a rising ray
     slopeBelowHorizon,  // a sloped underside met by a falling one
+    movedSlope,         // a slope of what moves
+    shiftedSlope,       // along its rise
+    cutSlope,           // went on from one part of a slope's block to the next
     slidSide,           // on a side of what moves along it
     slidPlane,          // on a roof or an underside of what moves along x or y
     skyStar,

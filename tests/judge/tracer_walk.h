@@ -4,6 +4,7 @@
 #include "place.h"
 #include "tracer.h"
 
+#include <array>
 #include <cstddef>
 #include <limits>
 
@@ -57,8 +58,15 @@ private:
         int order;  // at equal depth: faces left, then faces entered, then planes
         int level;  // of the block, or kFloor or kCeiling
         bool top;
-        bool leaves;      // the block
-        Meeting meeting;  // where
+        bool leaves;         // the block
+        Meeting meeting;     // where
+        bool isEnd = false;  // an end of the cell, which cuts off a block with slopes
+    };
+    // Over the eye's map's floor.
+    struct Levels {
+        double bottom;
+        double top;
+        bool cut;
     };
     // A top or an underside. A sloped one is a plane; `height` is the plane's over the eye.
     struct Surface {
@@ -93,6 +101,9 @@ private:
     Meeting meetingOf(const Surface& surface) const;
     bool isAbove(const Surface& surface, const Border& border) const;
     bool isAboveAtStart(const Surface& surface, Edge edge) const;
+    static Levels endsOf(const CellBlueprint& block, int level, const Place& place);
+    int cutEvents(const std::array<Surface, 4>& surfaces, int level, const Border& leave,
+                  Event* events) const;
     Border nextBorder() const;
 
     // Blocks that fill only a part of their tile. The edges of a plan along an axis, in the order
@@ -145,8 +156,11 @@ private:
         return join(a, b) && isPlain(a) && isPlain(b);
     }
     static bool reachesEnd(const CellBlueprint& block, bool above) {
-        return above ? block.top == tileEdge(1) && block.slopes.top.isLevel()
-                     : block.bottom == Coordinate{0} && block.slopes.bottom.isLevel();
+        const Slant& top = block.slopes.top;
+        const Slant& bottom = block.slopes.bottom;
+        return above ? block.top == tileEdge(1) && (top.isLevel() || top.most() > block.top)
+                     : block.bottom == Coordinate{0} &&
+                           (bottom.isLevel() || bottom.least() < block.bottom);
     }
     bool isOneBlock(BlueprintId a, BlueprintId b) const;
     BlueprintId touchingNext(const Event& event) const;

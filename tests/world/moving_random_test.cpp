@@ -119,8 +119,31 @@ void turnSideways(World& world, Random& random, BlueprintId id, const Box& cells
     }
 }
 
+// Slopes within the block's heights, for a block that moves as a whole. `isRow` if it stands in
+// more than one tile along its motion: then the slopes rise across.
+void slant(World& world, Random& random, BlueprintId id, bool isRow) {
+    CellBlueprint& block = world.blueprints[id];
+    const Motion& motion = world.motions[static_cast<std::size_t>(block.motion)];
+    if (motion.edges != MovingEdges::both) return;
+    const Coordinate low = block.bottom;
+    const Coordinate high = block.top;
+    const Coordinate drop = {random.between(1, (high - low).raw)};
+    Slant bottom = {low, low};
+    Slant top = {high, high};
+    const int kind = random.below(3);  // a roof, a vault, or a board
+    if (kind != 1) top.from = high - drop;
+    if (kind == 1) bottom.to = low + drop;
+    if (kind == 2) bottom.to = low + drop - Coordinate{1};
+    const bool alongX = random.oneIn(2);
+    const bool isBack = random.oneIn(2);
+    const bool turns = isRow && alongX == (motion.axis == Axis::x);
+    block.slopes = slopesTo(
+        alongX != turns ? (isBack ? Face::west : Face::east) : (isBack ? Face::north : Face::south),
+        bottom, top);
+}
+
 // A random world with columns of its own for movers and gates.
-World randomMovingWorld(std::uint64_t seed, bool hasPortals = false) {
+World randomMovingWorld(std::uint64_t seed, bool hasPortals = false, bool hasSlopes = false) {
     World world = randomWorld(seed);
     Random random(seed + 77);
     Map& map = world.maps[0];
@@ -147,17 +170,25 @@ World randomMovingWorld(std::uint64_t seed, bool hasPortals = false) {
         const int x0 = random.below(map.width);
         const int y0 = random.below(map.depth);
         Random sideways(seed * 8 + static_cast<std::uint64_t>(thing));
+        Random slopes(seed * 8 + static_cast<std::uint64_t>(thing) + 0x736c6f70u);
+        const bool isSlanted = hasSlopes && !isGate && stacked == 1 && !slopes.oneIn(3);
         if (!isGate && stacked == 1 && sideways.oneIn(2)) {
             const Box cells = {
                 tileEdge(x0), tileEdge(std::min(map.width, x0 + sideways.between(1, 3))),
                 tileEdge(y0), tileEdge(std::min(map.depth, y0 + sideways.between(1, 2))),
                 {},           {}};
             turnSideways(world, sideways, id, cells, level);
+            const bool alongX =
+                world.motions[static_cast<std::size_t>(world.blueprints[id].motion)].axis ==
+                Axis::x;
+            const Coordinate length = alongX ? cells.east - cells.west : cells.south - cells.north;
+            if (isSlanted) slant(world, slopes, id, length > tileEdge(1));
             for (int y = y0; y < cells.south.tile(); ++y) {
                 for (int x = x0; x < cells.east.tile(); ++x) map.setCell(x, y, level, id);
             }
             continue;
         }
+        if (isSlanted) slant(world, slopes, id, false);
         for (int y = y0; y < std::min(map.depth, y0 + random.between(1, 3)); ++y) {
             for (int x = x0; x < std::min(map.width, x0 + random.between(1, 3)); ++x) {
                 for (int other = 0; other < map.levels; ++other) {
@@ -169,10 +200,29 @@ World randomMovingWorld(std::uint64_t seed, bool hasPortals = false) {
     }
     if (hasPortals) putPortals(world, random);
     // What a later thing has cut or built into leaves no room here and there.
-    if (!makeMovers(world).empty()) return randomMovingWorld(seed + 0x10000, hasPortals);
+    if (!makeMovers(world).empty()) return randomMovingWorld(seed + 0x10000, hasPortals, hasSlopes);
     EXPECT_TRUE(makeGates(world).empty());
     markPortals(world);
     return world;
+}
+
+// Whether the player stands on a slope of a moving block, or slides down it.
+bool isOnMovingSlope(const World& world, const Player& player) {
+    const Map& map = world.maps[0];
+    const Box box = bodyBox(player);
+    const Box below = {box.west,  box.east, box.north, box.south, box.bottom - Coordinate{1},
+                       box.bottom};
+    for (int y = below.north.tile(); y <= below.south.tile(); ++y) {
+        for (int x = below.west.tile(); x <= below.east.tile(); ++x) {
+            const int level = below.bottom.tile();
+            const CellBlueprint& block = world.blueprints[map.cell(x, y, level)];
+            if (block.mover >= 0 && !block.slopes.top.isLevel() &&
+                below.bottom < tileEdge(level) + block.top && isOverPart(block.plan, x, y, below) &&
+                reachesBetweenSlopes(below, block, x, y, level))
+                return true;
+        }
+    }
+    return false;
 }
 
 PlayerInput randomMoverInput(Random& random) {
@@ -204,8 +254,10 @@ TEST(RandomMovingWorlds, NobodyIsEverInsideABlock) {
     std::int64_t gatesMoved = 0;
     std::int64_t inOpenGate = 0;
     std::int64_t gatesHeld = 0;
+    std::int64_t onSlopes = 0;
+    std::int64_t rodeOnSlopes = 0;
     for (int seed = 1; seed <= kMovingWorlds; ++seed) {
-        World world = randomMovingWorld(static_cast<std::uint64_t>(seed));
+        World world = randomMovingWorld(static_cast<std::uint64_t>(seed), false, seed % 2 == 0);
         Random random(static_cast<std::uint64_t>(seed) << 20);
         for (int i = 0; i < kPlayersPerMovingWorld; ++i) {
             Player player;
@@ -241,6 +293,9 @@ TEST(RandomMovingWorlds, NobodyIsEverInsideABlock) {
                 const bool isShifted = (body.shift.x.raw | body.shift.y.raw) != 0;
                 shifted += isShifted;
                 rodeSideways += isShifted && player.onGround;
+                const bool isOnSlope = isOnMovingSlope(world, player);
+                onSlopes += isOnSlope;
+                rodeOnSlopes += isOnSlope && (isShifted || body.shift.z != Coordinate{0});
                 std::size_t k = 0;
                 for (const Mover& mover : world.movers) waits += mover.clock == clocks[k++];
                 for (const Gate& gate : world.gates) {
@@ -261,6 +316,8 @@ TEST(RandomMovingWorlds, NobodyIsEverInsideABlock) {
         EXPECT_GT(kind, steps / 400);
     for (const std::int64_t kind : {shifted, rodeSideways}) EXPECT_GT(kind, steps / 1000);
     EXPECT_GT(gatesHeld, steps / 4000);
+    EXPECT_GT(onSlopes, steps / 1000);
+    EXPECT_GT(rodeOnSlopes, steps / 2000);
 }
 
 // What reaches through a portal, or has not left it behind, is spared on both sides.
@@ -271,7 +328,8 @@ TEST(RandomMovingWorlds, NobodyIsEverInsideABlockAmongPortals) {
     std::int64_t leaps = 0;
     std::int64_t straddling = 0;
     for (int seed = 1; seed <= kMovingWorlds / 2; ++seed) {
-        World world = randomMovingWorld(static_cast<std::uint64_t>(seed) + 500'000, true);
+        World world =
+            randomMovingWorld(static_cast<std::uint64_t>(seed) + 500'000, true, seed % 2 == 0);
         Random random(static_cast<std::uint64_t>(seed) << 20);
         for (int i = 0; i < kPlayersPerMovingWorld; ++i) {
             Player player;

@@ -212,7 +212,8 @@ bool reachesBetweenSlopes(const Box& box, const CellBlueprint& block, int x, int
         (std::min(alongX ? box.east : box.south, tile + (alongX ? plan.east : plan.south)) - tile)
             .value();
     const auto heightAt = [&](const Slant& slant, double at) {
-        return level + slant.from.value() + (slant.to.value() - slant.from.value()) * at;
+        return level + slant.from.value() +
+               (slant.to.value() - slant.from.value()) * (at - slant.shift.value());
     };
     const auto [least, most] =
         std::pair(std::min(heightAt(block.slopes.bottom, low), heightAt(block.slopes.bottom, high)),
