@@ -59,6 +59,34 @@ void lightEvenly(const Pixel* texels, Pixel* out, int count, Rgba sum, Rgba more
     }
 }
 
+// Lights the colours of the rows [first, last); lightOf(row) is 0 to 256 for each channel.
+template <typename LightOf>
+void lightRows(Pixel* colours, int first, int last, LightOf&& lightOf) {
+    int row = first;
+    for (; row + 4 <= last; row += 4) {
+        const U8x16 bytes = loadVector<U8x16>(colours + row);
+        const auto upper = (U16x8)narrowed(lightOf(row), lightOf(row + 1));
+        const auto lower = (U16x8)narrowed(lightOf(row + 2), lightOf(row + 3));
+        storeVector(colours + row,
+                    upperBytes(lowBytes(bytes) * upper + 128, highBytes(bytes) * lower + 128));
+    }
+    for (; row < last; ++row) colours[row] = litTexel(colours[row], lightOf(row));
+}
+
+// The weights of a place in 1/65536 of a tile.
+U32x4 weightsAt(std::int32_t place) {
+    return weights(static_cast<std::uint32_t>((place & 32767) >> 8));
+}
+
+// The light between the four nodes of a square.
+U32x4 lightIn(const FaceNodes& nodes, std::int32_t a, std::int32_t b) {
+    const Pixel* const square = nodes.nodes.data() + FaceNodes::index(a >> 15, b >> 15, 0, 0);
+    const U32x4 alongA = weightsAt(a);
+    return inSteps(between(between(square[0], square[2], alongA),
+                           between(square[1], square[3], alongA), weightsAt(b)) +
+                   8192);
+}
+
 // A square's nodes, two of a channel in one number: the lower one along a in its lower half.
 struct Pairs {
     U32x4 low;  // along b; a lane for each channel
@@ -133,6 +161,44 @@ int fetchLit(Pixel* out, int first, int last, const LitSquare& square, const Pla
     return std::min(row, last);
 }
 
+Pixel litAt(Pixel texel, const FaceNodes& nodes, std::int32_t a, std::int32_t b) {
+    return litTexel(texel, lightIn(nodes, a, b));
+}
+
+void lightSide(Pixel* colours, int rows, const FaceNodes& nodes, std::int32_t a,
+               const TexelColumn& column, Coordinate rise) {
+    // The nodes of the lower and the upper square, between those along the side
+    const U32x4 alongA = weightsAt(a);
+    Rgba node[2][2];
+    for (int square = 0; square < 2; ++square) {
+        for (int end = 0; end < 2; ++end) {
+            const std::size_t at = FaceNodes::index(a >> 15, square, 0, end);
+            node[square][end] = between(nodes.nodes[at], nodes.nodes[at + 2], alongA);
+        }
+    }
+    lightRows(colours, 0, rows, [&](int row) {
+        const std::uint64_t position = column.start + static_cast<std::uint64_t>(row) * column.step;
+        const auto down = static_cast<std::int32_t>(position >> (kTexturePositionBits - 16));
+        const std::int32_t b = std::min(65535, 65536 - ((down - rise.raw) & 65535));
+        const Rgba* const ends = node[b >> 15];
+        return inSteps(between(ends[0], ends[1], weightsAt(b)) + 8192);
+    });
+}
+
+void lightPlane(Pixel* colours, int first, int last, const FaceNodes& nodes, const PlaneLine& line,
+                const double* inverseOffsets) {
+    const PlaneLine at = line;
+    lightRows(colours, first, last, [&](int row) {
+        const double inverse = inverseOffsets[row];
+        const auto place = [&](double start, double perInverse) {
+            return static_cast<std::int32_t>(PlaneLine::fractionBits(start, perInverse, inverse) >>
+                                             16);
+        };
+        return lightIn(nodes, place(at.eastStart, at.eastPerInverse),
+                       place(at.southStart, at.southPerInverse));
+    });
+}
+
 Pixel litTexelAt(const Pixel* texels, int bits, const FaceNodes& nodes, std::uint32_t east,
                  std::uint32_t south, const TexelLay& lay) {
     const std::uint32_t u = texelIn(east, lay.east, bits);
@@ -141,15 +207,8 @@ Pixel litTexelAt(const Pixel* texels, int bits, const FaceNodes& nodes, std::uin
     const auto placeOf = [&](std::uint32_t texel, Coordinate shift) {
         return (middleOf(static_cast<int>(texel), 1 << bits) + shift.raw) & 65535;
     };
-    const std::int32_t a = placeOf(u, lay.east);
-    const std::int32_t b = placeOf(v, lay.south);
-    const Pixel* const square = nodes.nodes.data() + FaceNodes::index(a >> 15, b >> 15, 0, 0);
-    const auto weightsOf = [](std::int32_t place) {
-        return weights(static_cast<std::uint32_t>((place & 32767) >> 8));
-    };
-    const Rgba sum = between(between(square[0], square[2], weightsOf(a)),
-                             between(square[1], square[3], weightsOf(a)), weightsOf(b));
-    return litTexel(texels[(u << bits) | (v ^ reverse)], inSteps(sum + 8192));
+    return litAt(texels[(u << bits) | (v ^ reverse)], nodes, placeOf(u, lay.east),
+                 placeOf(v, lay.south));
 }
 
 void lightColumn(Pixel* out, int first, int last, const SideTexels& side, const FaceNodes& nodes) {

@@ -30,6 +30,18 @@ inline std::int32_t middleOf(int texel, int size) {
     return (2 * texel + 1) * 32768 / size;
 }
 
+// A texel in the light of a point: `a` and `b` are its place along the axes of the face, in 1/65536
+// of the tile, below 65536.
+Pixel litAt(Pixel texel, const FaceNodes& nodes, std::int32_t a, std::int32_t b);
+
+// The same for a side's colours in rows: `a` is their place along the side, the other
+// one follows from the column's positions.
+void lightSide(Pixel* colours, int rows, const FaceNodes& nodes, std::int32_t a,
+               const TexelColumn& column, Coordinate rise);
+// The same for a plane's colours in the rows [first, last), by row, all in one tile.
+void lightPlane(Pixel* colours, int first, int last, const FaceNodes& nodes, const PlaneLine& line,
+                const double* inverseOffsets);
+
 // How the texels of a plane lie in its tiles.
 struct TexelLay {
     bool southReversed = false;

@@ -654,14 +654,9 @@ Tracer::Walk::Then Tracer::Walk::reflect(double height, int ripples) {
         constexpr double kSnap = 1.0 / 8589934592.0;  // 2^-33
         return static_cast<int>(std::floor(256.0 * (place + kSnap)));
     };
-    sights_.back().waves = {ripples,
-                            eyeZ_ - height,
-                            -up_,
-                            stepOf(at.x + place_.x),
-                            stepOf(at.y + place_.y),
-                            place_.x,
-                            place_.y,
-                            place_.levels};
+    sights_.back().waves = {
+        ripples,  eyeZ_ - height, -up_,         stepOf(at.x + place_.x), stepOf(at.y + place_.y),
+        place_.x, place_.y,       place_.levels};
     if (portals_ > 0) note(Note::mirrorBehindPortal);
     const double along = alongOf(height);
     eyeZ_ = 2.0 * height - eyeZ_;
