@@ -25,7 +25,8 @@ enum class LitFace : std::uint8_t {
     bottom,
     floor,
     ceilingBelow,
-    ceilingAbove
+    ceilingAbove,
+    outside  // of the floor beyond the grid, all of it
 };
 struct LitFaceAt {
     int x = 0;
@@ -34,10 +35,12 @@ struct LitFaceAt {
     LitFace face = LitFace::floor;
 
     std::uint64_t key() const {
-        return static_cast<std::uint64_t>(x) << 24 | static_cast<std::uint64_t>(y) << 40 |
+        return std::uint64_t{static_cast<std::uint16_t>(x)} << 24 |
+               std::uint64_t{static_cast<std::uint16_t>(y)} << 40 |
                static_cast<std::uint64_t>(level) << 8 | static_cast<std::uint64_t>(face);
     }
 };
+inline constexpr LitFaceAt kOutside = {0, 0, 0, LitFace::outside};
 
 // Where a face lies, 1/65536 units. Its own axes are 0, 1, 2 for x, y, z. A slope, and the cut of a
 // half, rises along them.

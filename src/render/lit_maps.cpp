@@ -11,6 +11,7 @@ constexpr std::size_t kFirstRecordSlots = 1024;
 
 void LitMap::beginFrame(const World& world, const Map& map) {
     ++frame_;
+    images_.beginFrame();
     if (scene_.begin(world, map) || objects_.size() != map.objects.size()) {
         forgetAll();
         objects_.assign(map.objects.size(), {});
@@ -32,6 +33,7 @@ void LitMap::forgetAll() {
     slots_.assign(kFirstRecordSlots, 0);
     odd_.clear();
     recent_.assign(kRecent, {});
+    images_.clear();
 }
 
 std::size_t LitMap::bytes() const {
@@ -47,14 +49,31 @@ bool LitMap::isStale(std::uint64_t touched, std::uint32_t made) const {
 }
 
 const FaceNodes* LitMap::findNodes(const LitFaceAt& face) {
+    if (face.face == LitFace::outside) return &outside_;
+    const Record* const record = findRecord(face);
+    if (record == nullptr) return nullptr;
+    const std::uint64_t key = face.key();
+    Recent& recent = recent_[scattered(key) & (kRecent - 1)];
+    recent = {key, frame_, nodesIn(*record)};
+    return &recent.nodes;
+}
+
+const Pixel* LitMap::makeTexels(LitSquare square, const LitFaceAt& instead) {
+    const bool isOutside = square.face.face == LitFace::outside;
+    const Record* record = isOutside ? nullptr : findRecord(square.face);
+    if (record == nullptr && !isOutside) record = findRecord(instead);
+    if (record == nullptr) return images_.make(square, outside_, {});
+    const auto number = static_cast<std::uint32_t>(record - records_.data()) + 1;
+    return images_.make(square, nodesIn(*record), {number, record->made});
+}
+
+// Makes the light of a face if it is not known. Null if there is no such face.
+const LitMap::Record* LitMap::findRecord(const LitFaceAt& face) {
     LitArea area;
     if (!scene_.findArea(face, area)) return nullptr;
-    const std::uint64_t key = face.key();
-    Record& record = recordOf(key);
+    Record& record = recordOf(face.key());
     if (record.made == 0 || isStale(record.touched, record.made)) makeRecord(face, area, record);
-    Recent& recent = recent_[scattered(key) & (kRecent - 1)];
-    recent = {key, frame_, nodesIn(record)};
-    return &recent.nodes;
+    return &record;
 }
 
 // Finds or adds a record; `made` of a new one is 0.

@@ -4,6 +4,7 @@
 
 #include "render/light_samples.h"
 #include "render/light_scene.h"
+#include "render/lit_images.h"
 #include "world/world.h"
 
 #include <array>
@@ -27,8 +28,12 @@ public:
         return recent.key == key && recent.frame == frame_ ? &recent.nodes : findNodes(face);
     }
 
-    // The same of the floor outside the grid.
-    const FaceNodes& outside() const { return outside_; }
+    // The lit texels of a square of a face: see LitImages::find. Valid until the next call of
+    // makeTexels.
+    const Pixel* knownTexels(const LitSquare& square) const { return images_.find(square); }
+    // Those that are not known yet; of `instead`, or else of kOutside, if there is no such face.
+    // Not inline: its arguments would have to be in memory also where they are known.
+    const Pixel* makeTexels(LitSquare square, const LitFaceAt& instead);
 
     // Of an object: 0 to 256 for each channel.
     const LightColour& ofObject(int index);
@@ -71,6 +76,7 @@ private:
     bool isStale(std::uint64_t touched, std::uint32_t made) const;
     void forgetAll();
     const FaceNodes* findNodes(const LitFaceAt& face);
+    const Record* findRecord(const LitFaceAt& face);
     Record& recordOf(std::uint64_t key);
     void makeRecord(const LitFaceAt& face, const LitArea& area, Record& record);
     FaceNodes nodesIn(const Record& record) const;
@@ -88,6 +94,7 @@ private:
     std::vector<Recent> recent_;
     std::vector<LitObject> objects_;
     FaceNodes outside_;
+    LitImages images_;
 };
 
 // The maps of a world with baked light; what is known is kept from frame to frame.

@@ -112,15 +112,23 @@ TexelColumn SlicePainter::litColumn(const Span& span) {
     if (span.glow) return column;
     const LitFaceAt face = {span.tiles.fromX, span.tiles.fromY, span.level,
                             static_cast<LitFace>(span.face)};
-    const FaceNodes* const nodes = span.vista->lit->nodesOf(face);
-    if (nodes == nullptr) return column;
     const TextureLevel& level = frame_.textures[span.image].levels[column.detail];
     const auto u = static_cast<int>((column.texels - level.texels.data()) >> level.bits);
+    if (level.bits <= kLitSquareBits) {
+        const LitSquare square = {face, level, 0, 0, span.slide, span.rise};
+        const Pixel* texels = span.vista->lit->knownTexels(square);
+        if (texels == nullptr) texels = span.vista->lit->makeTexels(square, face);
+        column.texels = texels + (u << level.bits);
+        return column;
+    }
+    // Of a large one only what is shown
+    const FaceNodes* const nodes = span.vista->lit->nodesOf(face);
+    if (nodes == nullptr) return column;
     const ShownTexels shown(span);
-    Pixel* const texels = frame_.lit.scratch(static_cast<std::size_t>(level.size));
-    lightColumn(texels, static_cast<int>(shown.first), static_cast<int>(shown.last),
-                {level, u, face.face, span.rise, span.slide}, *nodes);
-    column.texels = texels;
+    Pixel* const lit = frame_.lit.scratch(static_cast<std::size_t>(level.size));
+    lightColumn(lit + shown.first, u, static_cast<int>(shown.first), static_cast<int>(shown.last),
+                {level, face.face, span.slide, span.rise}, *nodes);
+    column.texels = lit;
     return column;
 }
 
@@ -254,44 +262,21 @@ void SlicePainter::paintLitRows(const PlaneRun& run, int first, int last, const 
     }
 }
 
-// The lit texels of rows, by row, square by square; valid until the next ones are made.
-const Pixel* SlicePainter::fetchLitRows(const PlaneRun& run, int first, int last,
-                                        const TextureLevel& level, const PlaneLine& line,
-                                        const double* inverseOffsets) const {
-    Pixel* const lit = frame_.lit.scratch(static_cast<std::size_t>(last + kRowsBeyond));
-    const Pixel* const texels = level.texels.data();
-    for (int row = first; row < last;) {
-        const double inverse = inverseOffsets[row];
-        const std::int64_t east = PlaneLine::position(line.eastStart, line.eastPerInverse, inverse);
-        const std::int64_t south =
-            PlaneLine::position(line.southStart, line.southPerInverse, inverse);
-        const FaceNodes& nodes =
-            planeNodes(run, static_cast<int>(east >> 32), static_cast<int>(south >> 32));
-        if (level.bits == 0) {  // a single texel has no square of its own
-            lit[row++] = litTexelAt(texels, 0, nodes, 0, 0, {});
-            continue;
-        }
-        const LitSquare square = {texels, level.bits, nodes, static_cast<int>(east >> 31 & 1),
-                                  static_cast<int>(south >> 31 & 1)};
-        row = fetchLit(lit, row, last, square, line, inverseOffsets);
-    }
-    return lit;
-}
-
 // One texel of a plane.
 Pixel SlicePainter::texelAt(const PlaneRun& run, const TextureLevel& level,
                             const PlanePoints::Point& point) const {
     const Plane& plane = run.look->plane;
-    const TexelLay texels = {plane.southReversed, plane.east, plane.south};
-    if (run.isLit()) {
-        return litTexelAt(level.texels.data(), level.bits,
-                          planeNodes(run, point.tileX, point.tileY), point.east, point.south,
-                          texels);
-    }
     const std::uint32_t u = texelIn(point.east, plane.east, level.bits);
     std::uint32_t v = texelIn(point.south, plane.south, level.bits);
+    if (!run.isLit()) {
+        if (plane.southReversed) v = static_cast<std::uint32_t>(level.size - 1) - v;
+        return level.texels[(u << level.bits) | v];
+    }
+    const Pixel* const texels = litSquare(run, level, point.tileX, point.tileY, u, v);
     if (plane.southReversed) v = static_cast<std::uint32_t>(level.size - 1) - v;
-    return level.texels[(u << level.bits) | v];
+    const int bits = litSquareBits(level.bits);
+    const std::uint32_t within = (1u << bits) - 1;
+    return texels[(u & within) << bits | (v & within)];
 }
 
 // Paints rows one by one, slowly: those near tile borders, blocks that have moved sideways, and the

@@ -53,8 +53,11 @@ private:
     void paintPlaneRows(const PlaneRun& run, int first, int last, const PlanePoints& points,
                         Lay lay);
     void paintLitRows(const PlaneRun& run, int first, int last, const PlanePoints& points, Lay lay);
+    // lit_rows.cpp
     const Pixel* fetchLitRows(const PlaneRun& run, int first, int last, const TextureLevel& level,
                               const PlaneLine& line, const double* inverseOffsets) const;
+    static const Pixel* litSquare(const PlaneRun& run, const TextureLevel& level, int tileX,
+                                  int tileY, std::uint32_t u, std::uint32_t v);
     Pixel texelAt(const PlaneRun& run, const TextureLevel& level,
                   const PlanePoints::Point& point) const;
     // smooth_paint.cpp: the same where texels are blended

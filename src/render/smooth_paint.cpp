@@ -1,8 +1,8 @@
 // Paints faces whose texels are larger than a pixel, if these are to be blended: finds the colour
 // of each row, which is then laid on like any other texel.
 #include "render/lit_planes.h"
-#include "render/lit_texels.h"
 #include "render/slice_paint.h"
+#include "render/smooth_light.h"
 #include "render/smooth_texels.h"
 
 #include <algorithm>

@@ -59,7 +59,7 @@ void blendRows(Pixel* out, int first, int last, bool seeThrough, Four&& four) {
     for (; row < last; ++row) out[row] = withAlpha(four(row));
 }
 
-const Pixel* columnOf(const SmoothTexture& texture, std::uint32_t number) {
+const Pixel* texelsOfColumn(const SmoothTexture& texture, std::uint32_t number) {
     return texture.texels + (static_cast<std::size_t>(number) << texture.bits);
 }
 
@@ -67,15 +67,16 @@ const Pixel* columnOf(const SmoothTexture& texture, std::uint32_t number) {
 
 Pixel smoothTexel(const SmoothTexture& texture, std::uint32_t u, std::uint32_t v) {
     const SmoothPlace across = smoothPlace(u, texture.bits, texture.uReversed);
-    return withAlpha(FourTexels(columnOf(texture, across.first), columnOf(texture, across.second),
-                                across, smoothPlace(v, texture.bits, texture.vReversed)));
+    return withAlpha(FourTexels(texelsOfColumn(texture, across.first),
+                                texelsOfColumn(texture, across.second), across,
+                                smoothPlace(v, texture.bits, texture.vReversed)));
 }
 
 void blendSide(Pixel* out, int rows, const SmoothTexture& texture, std::uint32_t u,
                const TexelColumn& column) {
     const SmoothPlace across = smoothPlace(u, texture.bits, texture.uReversed);
-    const Pixel* const left = columnOf(texture, across.first);
-    const Pixel* const right = columnOf(texture, across.second);
+    const Pixel* const left = texelsOfColumn(texture, across.first);
+    const Pixel* const right = texelsOfColumn(texture, across.second);
     const int bits = texture.bits;
     blendRows(out, 0, rows, texture.seeThrough, [&](int row) {
         const std::uint64_t position = column.start + static_cast<std::uint64_t>(row) * column.step;
@@ -96,7 +97,7 @@ void blendPlane(Pixel* out, int first, int last, const SmoothTexture& texture,
         const SmoothPlace v =
             smoothPlace(PlaneLine::fractionBits(at.southStart, at.southPerInverse, inverse),
                         from.bits, from.vReversed);
-        return FourTexels(columnOf(from, u.first), columnOf(from, u.second), u, v);
+        return FourTexels(texelsOfColumn(from, u.first), texelsOfColumn(from, u.second), u, v);
     });
 }
 

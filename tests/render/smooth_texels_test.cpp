@@ -2,7 +2,7 @@
 #include "render/smooth_texels.h"
 
 #include "base/random.h"
-#include "render/lit_texels.h"
+#include "render/smooth_light.h"
 
 #include <gtest/gtest.h>
 
@@ -133,37 +133,8 @@ FaceNodes anyNodes(Random& random) {
     return nodes;
 }
 
-// Each texel of a side has the light of its middle, whatever the texture's size.
-TEST(LitTexels, ColumnsOfAnySize) {
-    Random random(2);
-    for (int size = 8; size <= 1024; size *= 2) {
-        const Texture texture = makeTexture("noise", noise(random, size, false));
-        for (int i = 0; i < 40; ++i) {
-            const FaceNodes nodes = anyNodes(random);
-            const int u = random.below(size);
-            const Coordinate rise = {random.oneIn(2) ? 0 : random.below(65536)};
-            const Coordinate slide = {random.oneIn(2) ? 0 : random.below(65536)};
-            const int first = random.below(size);
-            const int last = random.between(first + 1, size);
-            const SideTexels side = {texture.levels[0], u, LitFace::south, rise, slide};
-            std::vector<Pixel> lit(static_cast<std::size_t>(size) + 8);
-            lightColumn(lit.data(), first, last, side, nodes);
-            for (int v = first; v < last; ++v) {
-                const int down = (middleOf(v, size) - rise.raw) & 65535;
-                const Pixel texel =
-                    texture.levels[0]
-                        .texels[static_cast<std::size_t>((u << texture.levels[0].bits) + v)];
-                ASSERT_EQ(lit[static_cast<std::size_t>(v)],
-                          litAt(texel, nodes, (middleOf(u, size) + slide.raw) & 65535,
-                                std::min(65535, 65536 - down)))
-                    << size << " texel " << u << ", " << v;
-            }
-        }
-    }
-}
-
 // The light of rows is that of their points.
-TEST(LitTexels, RowsAreAsPointsAre) {
+TEST(SmoothLight, RowsAreAsPointsAre) {
     Random random(3);
     for (int rows = 0; rows < 40; ++rows) {
         const FaceNodes nodes = anyNodes(random);
