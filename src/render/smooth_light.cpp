@@ -21,8 +21,10 @@ void timesLightOfRows(Pixel* colours, int first, int last, LightOf&& lightOf) {
     int row = first;
     for (; row + 4 <= last; row += 4) {
         const U8x16 bytes = loadVector<U8x16>(colours + row);
-        const auto upper = (U16x8)narrowed(lightOf(row), lightOf(row + 1));
-        const auto lower = (U16x8)narrowed(lightOf(row + 2), lightOf(row + 3));
+        U32x4 light[4];  // by a loop, which keeps the program small
+        for (int i = 0; i < 4; ++i) light[i] = lightOf(row + i);
+        const auto upper = (U16x8)narrowed(light[0], light[1]);
+        const auto lower = (U16x8)narrowed(light[2], light[3]);
         storeVector(colours + row,
                     upperBytes(lowBytes(bytes) * upper + 128, highBytes(bytes) * lower + 128));
     }

@@ -51,8 +51,10 @@ void blendRows(Pixel* out, int first, int last, bool seeThrough, Four&& four) {
     int row = first;
     if (!seeThrough) {
         for (; row + 4 <= last; row += 4) {
-            const auto a = (U16x8)narrowed(blended(four(row)), blended(four(row + 1)));
-            const auto b = (U16x8)narrowed(blended(four(row + 2)), blended(four(row + 3)));
+            U32x4 colours[4];  // by a loop, which keeps the program small
+            for (int i = 0; i < 4; ++i) colours[i] = blended(four(row + i));
+            const auto a = (U16x8)narrowed(colours[0], colours[1]);
+            const auto b = (U16x8)narrowed(colours[2], colours[3]);
             storeVector(out + row, upperBytes(a << 8, b << 8));
         }
     }

@@ -12,7 +12,7 @@ const kLoaded = ['ray-caster.js', 'engine/slicecast-simd.wasm'];
 const kSound = 'ray-caster-sound.js';
 const kLater = ['ray-caster-steering.js', 'ray-caster-rows.js', 'ray-caster-more.js', kSound];
 const kSoundLimit = 60_000; // bytes, as they lie on the disk: all that is needed for sound
-const kLimit = 283_000; // bytes; web/docs/architecture.md lists what they are for
+const kLimit = 285_000; // bytes; web/docs/architecture.md lists what they are for
 
 const sizeOf = (name) => gzipSync(readFileSync(join(root, 'build/web', name)), { level: 9 }).length;
 
