@@ -13,13 +13,22 @@ namespace slicecast {
 struct Detail {
     bool textures = true;
     bool levels = true;
+    bool smooth = false;
     double firstThreshold = 1.0;  // times d, in pixels
+    double pixelReach = 1.0;      // d: texels at most this deep, times N, are larger than a pixel
 
     Detail() = default;
     Detail(const RenderOptions& options, double projectionDistance)
         : textures(options.textures),
           levels(options.detail),
-          firstThreshold(options.detailThreshold * projectionDistance) {}
+          smooth(options.smooth),
+          firstThreshold(options.detailThreshold * projectionDistance),
+          pixelReach(projectionDistance) {}
+
+    // Whether texels at a depth, of which a level of detail is shown, are blended.
+    bool isSmooth(int level, double depth, int size) const {
+        return smooth && level == 0 && depth * size <= pixelReach;
+    }
 
     // `size` is the texture's, in texels a side; `last` its last level.
     // #region level-of-detail

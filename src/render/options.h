@@ -13,6 +13,7 @@ struct RenderOptions {
     bool detail = true;            // levels of detail; off: level 0 everywhere
     double detailThreshold = 1.0;  // texels per pixel at which level 1 begins; each further level
                                    // begins at twice the depth
+    bool smooth = false;           // blends the texels of faces where they are larger than a pixel
     bool textures = true;          // off: every texture shows its average colour (its last level)
     bool light = true;             // off: brightness is 1 everywhere
     bool fog = true;               // off: no map has fog (the floor still ends at its `far`)

@@ -105,6 +105,7 @@ void PlainWalk::showSide(const Block& block, Face face, const Crossing& border, 
     span.rise = block.blueprint->textureRise;
     span.slide = border.alongX ? block.blueprint->textureSouth : block.blueprint->textureEast;
     span.image = block.blueprint->face(face).texture;
+    span.along = alongSide(block, border);
     show(span, rows, [&](Span& seen) {
         seen.column = sideColumn(block, face, border, {seen.first, seen.last});
         splitWhereTextureEnds(seen);
@@ -126,6 +127,24 @@ void PlainWalk::splitWhereTextureEnds(Span& seen) {
     found_->spans.add() = rest;
 }
 
+// Where the ray meets a side, from the tile's northern or western end, in 1/2^32 of the tile. Only
+// what the block covers.
+std::uint32_t PlainWalk::alongSide(const Block& block, const Crossing& border) const {
+    const Viewpoint& eye = part_.vista->viewpoint;
+    const GroundDirection ray = part_.vista->ray(column_);
+    const double fraction = border.alongX ? eye.fractionY() + (eye.tileY() - walk_.tileY) +
+                                                ray.y * border.distance / border.speed
+                                          : eye.fractionX() + (eye.tileX() - walk_.tileX) +
+                                                ray.x * border.distance / border.speed;
+    const Plan& plan = block.blueprint->plan;
+    const Coordinate from = border.alongX ? plan.north : plan.west;
+    const Coordinate to = border.alongX ? plan.south : plan.east;
+    const auto bits = [](Coordinate edge) { return std::int64_t{edge.raw} << 16; };
+    return static_cast<std::uint32_t>(
+        std::clamp(static_cast<std::int64_t>(std::clamp(fraction + kSnap, 0.0, 1.0) * 4294967296.0),
+                   bits(from), bits(to) - 1));
+}
+
 // The texels of a side that the rows show, and their light.
 TexelColumn PlainWalk::sideColumn(const Block& block, Face face, const Crossing& border,
                                   Rows rows) const {
@@ -138,25 +157,12 @@ TexelColumn PlainWalk::sideColumn(const Block& block, Face face, const Crossing&
     column.factor = vista.lighting.factorAt(column.depth, look.light, look.glow);
     column.fog = vista.lighting.fogAt(column.depth);
 
-    // Where the ray meets the border, from its northern or western end
-    const Viewpoint& eye = vista.viewpoint;
-    const GroundDirection ray = vista.ray(column_);
-    const double fraction = border.alongX ? eye.fractionY() + (eye.tileY() - walk_.tileY) +
-                                                ray.y * border.distance / border.speed
-                                          : eye.fractionX() + (eye.tileX() - walk_.tileX) +
-                                                ray.x * border.distance / border.speed;
     const TextureLevel& level = texture.levels[column.detail];
-    // Only what the block covers, in 1/2^32 of the tile; its texture may have slid along
-    const Plan& plan = block.blueprint->plan;
-    const Coordinate from = border.alongX ? plan.north : plan.west;
-    const Coordinate to = border.alongX ? plan.south : plan.east;
-    const auto bits = [](Coordinate edge) { return std::int64_t{edge.raw} << 16; };
-    const std::int64_t shown =
-        std::clamp(static_cast<std::int64_t>(std::clamp(fraction + kSnap, 0.0, 1.0) * 4294967296.0),
-                   bits(from), bits(to) - 1);
+    // The texture may have slid along
     const Coordinate slide =
         border.alongX ? block.blueprint->textureSouth : block.blueprint->textureEast;
-    int u = static_cast<int>(((shown - bits(slide)) & 0xffffffff) * level.size >> 32);
+    const std::int64_t along = alongSide(block, border) - (std::int64_t{slide.raw} << 16);
+    int u = static_cast<int>((along & 0xffffffff) * level.size >> 32);
     if (face == Face::north || face == Face::east) u = level.size - 1 - u;
     column.texels = level.texels.data() + static_cast<std::ptrdiff_t>(u) * level.size;
     column.shift = kTexturePositionBits - level.bits;

@@ -138,6 +138,7 @@ private:
     Crossing crossingAt(const FrameObject& object) const;
     void meetObject(const FrameObject& object);
     void showSide(const Block& block, Face face, const Crossing& border, Rows rows);
+    std::uint32_t alongSide(const Block& block, const Crossing& border) const;
     TexelColumn sideColumn(const Block& block, Face face, const Crossing& border, Rows rows) const;
     void splitWhereTextureEnds(Span& seen);
 

@@ -35,22 +35,23 @@ void PlaneLook::begin(const Plane& looked, const FrameTexture& texture, const De
     first_ = last_ = 0;
     stretches_.clear();
     const auto at = [&](int row) {
-        const int level =
-            detail.levelAt(depthPerInverse * rays.inverseOffsets[row], texture.size, texture.last);
+        const double depth = depthPerInverse * rays.inverseOffsets[row];
+        const int level = detail.levelAt(depth, texture.size, texture.last);
         const PlaneShade shade = fogAt(row) != 0        ? PlaneShade::foggy
                                  : factorAt(row) != 256 ? PlaneShade::dimmed
                                                         : PlaneShade::full;
-        return Stretch{row + 1, static_cast<std::uint8_t>(level), shade};
+        return Stretch{row + 1, static_cast<std::uint8_t>(level), shade,
+                       detail.isSmooth(level, depth, texture.size)};
     };
     const auto alike = [](const Stretch& a, const Stretch& b) {
-        return a.detail == b.detail && a.shade == b.shade;
+        return a.detail == b.detail && a.shade == b.shade && a.smooth == b.smooth;
     };
     const int end = plane.rise < 0 ? rays.height : rays.firstFallingRow;
     int row = plane.rise < 0 ? rays.firstFallingRow : 0;
     // The last stretch covers all remaining rows, so that rows without the plane find one too. No
     // row sees a plane at the eye's own height.
     if (row == end || plane.rise == 0) {
-        stretches_.push_back({rays.height, 0, PlaneShade::full});
+        stretches_.push_back({rays.height, 0, PlaneShade::full, false});
         return;
     }
     Stretch last = at(end - 1);

@@ -45,11 +45,13 @@ struct PlaneRays {
 
 class PlaneLook {
 public:
-    // The rows up to `last` since the stretch before; they share level of detail and kind of shade.
+    // The rows up to `last` since the stretch before; they share level of detail, kind of shade,
+    // and whether texels are blended.
     struct Stretch {
         int last;
         std::uint8_t detail;
         PlaneShade shade;
+        bool smooth;
     };
 
     Plane plane;

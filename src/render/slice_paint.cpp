@@ -85,9 +85,10 @@ void SlicePainter::paintReflection(const SliceSpans& slice) {
 
 void SlicePainter::paintTexels(const Span& span, Lay lay) {
     count(span.first, span.last);
-    const TexelColumn column = span.vista->lit == nullptr  ? span.column
-                               : span.what == What::object ? litObject(span)
-                                                           : litColumn(span);
+    const TexelColumn column = isSmooth(span)               ? smoothColumn(span)
+                               : span.vista->lit == nullptr ? span.column
+                               : span.what == What::object  ? litObject(span)
+                                                            : litColumn(span);
     if (waterFogs_ != nullptr) return paintTexelsFromWater(span, column, lay);
     fillSide(pixels_ + span.first, span.last - span.first, column, span.vista->lighting.haze, lay);
 }
@@ -230,9 +231,15 @@ void SlicePainter::paintPlaneRows(const PlaneRun& run, int first, int last,
     for (int row = first; row < last; ++stretch) {
         if (stretch->last <= row) continue;
         const int end = std::min(stretch->last, last);
-        fillPlane(pixels_, row, end,
-                  {levels[stretch->detail], points.line, rows, run.vista->lighting.haze},
-                  stretch->shade, lay);
+        if (stretch->smooth) {
+            fillFetched(pixels_, row, end,
+                        fetchSmoothRows(run, row, end, points.line, rows.inverseOffsets), rows,
+                        run.vista->lighting.haze, stretch->shade, lay);
+        } else {
+            fillPlane(pixels_, row, end,
+                      {levels[stretch->detail], points.line, rows, run.vista->lighting.haze},
+                      stretch->shade, lay);
+        }
         row = end;
     }
 }
@@ -247,7 +254,9 @@ void SlicePainter::paintLitRows(const PlaneRun& run, int first, int last, const 
         if (stretch->last <= row) continue;
         const int end = std::min(stretch->last, last);
         const Pixel* const lit =
-            fetchLitRows(run, row, end, levels[stretch->detail], points.line, rows.inverseOffsets);
+            stretch->smooth ? fetchSmoothRows(run, row, end, points.line, rows.inverseOffsets)
+                            : fetchLitRows(run, row, end, levels[stretch->detail], points.line,
+                                           rows.inverseOffsets);
         fillFetched(pixels_, row, end, lit, rows, run.vista->lighting.haze, stretch->shade, lay);
         row = end;
     }
@@ -279,11 +288,15 @@ void SlicePainter::paintPlaneByRows(const PlaneRun& run, int first, int last,
     const FrameTexture& texture = frame_.textures[run.look->plane.texture];
     for (int row = first; row < last; ++row) {
         const double inverse = rows.inverseOffsets[row];
-        const int level =
-            frame_.detail.levelAt(run.look->depthPerInverse * inverse, texture.size, texture.last);
-        pixels_[row] = shadedTexel(
-            texelAt(run, texture.levels[level], points.at(inverse)), rows.factors[row] & 0xffff,
-            rows.fogs ? rows.fogs[row] & 0xffff : 0, run.vista->lighting.haze, lay, pixels_[row]);
+        const double depth = run.look->depthPerInverse * inverse;
+        const int level = frame_.detail.levelAt(depth, texture.size, texture.last);
+        const PlanePoints::Point point = points.at(inverse);
+        const Pixel texel = frame_.detail.isSmooth(level, depth, texture.size)
+                                ? smoothTexelAt(run, point)
+                                : texelAt(run, texture.levels[level], point);
+        pixels_[row] =
+            shadedTexel(texel, rows.factors[row] & 0xffff, rows.fogs ? rows.fogs[row] & 0xffff : 0,
+                        run.vista->lighting.haze, lay, pixels_[row]);
     }
 }
 

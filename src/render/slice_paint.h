@@ -60,6 +60,16 @@ private:
                                   int tileY, std::uint32_t u, std::uint32_t v);
     Pixel texelAt(const PlaneRun& run, const TextureLevel& level,
                   const PlanePoints::Point& point) const;
+    // smooth_paint.cpp: the same where texels are blended
+    bool isSmooth(const Span& span) const {
+        return frame_.detail.smooth && span.what == FilledRows::What::side &&
+               frame_.detail.isSmooth(span.column.detail, span.column.depth,
+                                      frame_.textures[span.image].size);
+    }
+    TexelColumn smoothColumn(const Span& span) const;
+    const Pixel* fetchSmoothRows(const PlaneRun& run, int first, int last, const PlaneLine& line,
+                                 const double* inverseOffsets) const;
+    Pixel smoothTexelAt(const PlaneRun& run, const PlanePoints::Point& point) const;
     struct ShownTexels;
     TexelColumn litColumn(const Span& span);
     TexelColumn litObject(const Span& span);

@@ -61,8 +61,7 @@ inline TexelColumn SliceWalk::sideColumn(const Side& side, const SideView& view,
     const int detail = frame_.detail.levelAt(view.depth, texture.size, texture.last);
     const TextureLevel& level = texture.levels[detail];
     const std::uint64_t fraction =
-        std::uint32_t{std::clamp(view.fraction, side.least, side.most) -
-                      (static_cast<std::uint32_t>(side.slide.raw) << 16)};
+        std::uint32_t{side.shown(view) - (static_cast<std::uint32_t>(side.slide.raw) << 16)};
     const int column = static_cast<int>(fraction >> (32 - level.bits));
     const int u = side.reversed ? level.size - 1 - column : column;
 
@@ -103,21 +102,21 @@ void SliceWalk::addSide(const Side& side, const SideView& view, int first, int l
     if (column.start + steps * column.step >= kWholeTexture) {
         const std::uint64_t above = (kWholeTexture - column.start + column.step - 1) / column.step;
         const int turn = first + static_cast<int>(above);
-        addSideRows(side, column, first, turn);
+        addSideRows(side, view, column, first, turn);
         column.start += above * column.step - kWholeTexture;
         first = turn;
     }
-    addSideRows(side, column, first, last);
+    addSideRows(side, view, column, first, last);
 }
 
-inline void SliceWalk::addSideRows(const Side& side, const TexelColumn& column, int first,
-                                   int last) {
-    if (!side.layer || !cuts_) return addSideSpan(side, column, first, last);
+inline void SliceWalk::addSideRows(const Side& side, const SideView& view,
+                                   const TexelColumn& column, int first, int last) {
+    if (!side.layer || !cuts_) return addSideSpan(side, view, column, first, last);
     Side piece = side;
     const auto add = [&](const TexelColumn& texels, int from, int to, bool layer) {
         piece.layer = layer;
         if (!layer) open_.take(from, to, [](int, int) {});
-        addSideSpan(piece, texels, from, to);
+        addSideSpan(piece, view, texels, from, to);
     };
     if (!side.texture->seeThrough) return cutOpaque(column, first, last, cutMargin(), add);
     const TextureLevel& level = side.texture->levels[column.detail];
@@ -125,12 +124,13 @@ inline void SliceWalk::addSideRows(const Side& side, const TexelColumn& column, 
     cutTexels(column, level.runs.of(u), first, last, cutMargin(), add);
 }
 
-inline void SliceWalk::addSideSpan(const Side& side, const TexelColumn& column, int first,
-                                   int last) {
+inline void SliceWalk::addSideSpan(const Side& side, const SideView& view,
+                                   const TexelColumn& column, int first, int last) {
     Span& span = add(What::side, first, last);
     span.face = side.face;
     span.layer = side.layer;
     span.glow = side.look->glow;
+    span.along = side.shown(view);
     span.rise = {static_cast<std::int32_t>(side.rise / kPositionsPerRaw)};
     span.slide = side.slide;
     span.level = side.level;

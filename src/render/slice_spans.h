@@ -48,11 +48,12 @@ struct Span {
     bool glow = false;  // of a side: it has no baked light
     int first = 0;
     int last = 0;
-    int level = kNoLevel;    // of the block
-    int object = -1;         // index into Map::objects
-    int part = 0;            // the walk that has found it: index into ColumnSpans::parts
-    int portals = 0;         // passed before
-    Vista* vista = nullptr;  // the map as seen from that part
+    int level = kNoLevel;     // of the block
+    int object = -1;          // index into Map::objects
+    int part = 0;             // the walk that has found it: index into ColumnSpans::parts
+    int portals = 0;          // passed before
+    std::uint32_t along = 0;  // of a side: where it is in its tile, east or south, in 1/2^32
+    Vista* vista = nullptr;   // the map as seen from that part
     TileRange tiles;  // of a plane; for a block's face its tile; unused for sky, haze and objects
     TextureId image = kNoTexture;  // of sides; for objects the sprite
     TexelColumn column;            // of sides and objects

@@ -117,6 +117,11 @@ private:
         std::uint32_t least = 0;  // what the block covers of its tile, in 1/2^32: both included
         std::uint32_t most = 0xffffffff;
         Coordinate slide = {};  // of its texture, eastward or southward
+
+        // Where a column sees it.
+        std::uint32_t shown(const SideView& view) const {
+            return std::clamp(view.fraction, least, most);
+        }
     };
 
     // Floor or ceiling of one texture, from a border on.
@@ -207,8 +212,10 @@ private:
     Side sideOf(const Block& block, Face face, bool layer) const;
     TexelColumn sideColumn(const Side& side, const SideView& view, int first, int last) const;
     void addSide(const Side& side, const SideView& view, int first, int last);
-    void addSideRows(const Side& side, const TexelColumn& column, int first, int last);
-    void addSideSpan(const Side& side, const TexelColumn& column, int first, int last);
+    void addSideRows(const Side& side, const SideView& view, const TexelColumn& column, int first,
+                     int last);
+    void addSideSpan(const Side& side, const SideView& view, const TexelColumn& column, int first,
+                     int last);
     void takeSide(const Side& side, const SideView& view, int firstRow, int lastRow);
     void takeEnteredSide(const Block& block, int firstRow, int lastRow);
 

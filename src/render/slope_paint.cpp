@@ -62,12 +62,19 @@ void SlicePainter::paintSlope(const Span& span, Lay lay) {
         const auto isClear = [&](int row) {
             return !isSlow && points.isInside(shades.inverseOffsets[row]);
         };
+        const auto isSmooth = [&](int row) {
+            return frame_.detail.isSmooth(table.details[static_cast<std::size_t>(row)],
+                                          depthPerInverse * shades.inverseOffsets[row],
+                                          texture.size);
+        };
         for (int row = 0; row < rows;) {
             const std::uint8_t detail = table.details[static_cast<std::size_t>(row)];
             const TextureLevel& level = texture.levels[detail];
+            const bool smooth = isSmooth(row);
             if (!isClear(row)) {
+                const PlanePoints::Point point = points.at(shades.inverseOffsets[row]);
                 pixels[row] = shadedTexel(
-                    texelAt(run, level, points.at(shades.inverseOffsets[row])),
+                    smooth ? smoothTexelAt(run, point) : texelAt(run, level, point),
                     shades.factors[row] & 0xffff, shades.fogs ? shades.fogs[row] & 0xffff : 0,
                     lighting.haze, lay, pixels[row]);
                 ++row;
@@ -75,11 +82,12 @@ void SlicePainter::paintSlope(const Span& span, Lay lay) {
             }
             int end = row + 1;
             while (end < rows && table.details[static_cast<std::size_t>(end)] == detail &&
-                   isClear(end))
+                   isSmooth(end) == smooth && isClear(end))
                 ++end;
-            if (run.isLit()) {
+            if (smooth || run.isLit()) {
                 const Pixel* const lit =
-                    fetchLitRows(run, row, end, level, points.line, shades.inverseOffsets);
+                    smooth ? fetchSmoothRows(run, row, end, points.line, shades.inverseOffsets)
+                           : fetchLitRows(run, row, end, level, points.line, shades.inverseOffsets);
                 fillFetched(pixels, row, end, lit, shades, lighting.haze, shade, lay);
             } else {
                 fillPlane(pixels, row, end, {level, points.line, shades, lighting.haze}, shade,

@@ -143,6 +143,9 @@ bool printScene(const std::filesystem::path& path, std::uint64_t seed) {
     };
     print("start", 1280, 720);
     print("start small", 320, 200);
+    session.setOption("smooth", "on");
+    print("start smooth", 640, 400);
+    session.setOption("smooth", "off");
     Random random(seed);
     for (int map = 0; map < static_cast<int>(session.world().maps.size()); ++map) {
         for (int i = 0; i < 5; ++i) {
@@ -191,6 +194,13 @@ void printGenerated(std::uint64_t seed, Shown& shown) {
                      });
         shown.add(renderer.report());
     }
+    // The first one once more, with smooth textures
+    GeneratedView view = generatedView(world, seed * kViews);
+    view.options.smooth = true;
+    view.options.textures = true;
+    printPicture(name + " smooth", view.width, view.height, [&](const Picture& picture) {
+        return renderer.draw(world, view.eye, view.options, picture);
+    });
     if (seed % 6 < 2) {
         Session session(std::move(world));
         printOldWays(name, session);

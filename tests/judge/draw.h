@@ -10,6 +10,7 @@ namespace slicecast::judge {
 inline RenderOptions optionsOf(const View& view) {
     return {.fovDegrees = view.fovDegrees,
             .detail = view.detail,
+            .smooth = view.smooth,
             .light = view.light,
             .fog = view.fog,
             .baked = view.baked,

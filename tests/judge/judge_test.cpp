@@ -197,6 +197,24 @@ TEST(Judge, SmallPictures) {
                          {"lit floor", 250000},
                          {"lit ceiling", 50000},
                          {"lit object", 40000},
+                         {"smooth side", 1000000},
+                         {"smooth roof", 200000},
+                         {"smooth underside", 200000},
+                         {"smooth floor", 500000},
+                         {"smooth ceiling", 100000},
+                         {"smooth lit side", 200000},
+                         {"smooth lit roof", 70000},
+                         {"smooth lit underside", 60000},
+                         {"smooth lit floor", 90000},
+                         {"smooth lit ceiling", 10000},
+                         {"smooth across a border side", 200000},
+                         {"smooth across a border roof", 50000},
+                         {"smooth across a border underside", 50000},
+                         {"smooth across a border floor", 100000},
+                         {"smooth across a border ceiling", 20000},
+                         {"smooth beside a hole", 100000},
+                         {"smooth on what moves", 100000},
+                         {"smooth slope", 50000},
                          {"pictures with tinted light", 70},
                          {"pictures with nodes partly linked", 60},
                          {"pictures with a square of other nodes", 50},
@@ -235,6 +253,15 @@ TEST(Judge, PicturesOfWideLand) {
     const Verdict verdict = judgeAll(wideLandScene, 1, 600 / kShare, kSmallSizes);
     report("pictures of wide land", verdict);
     expectWithinBounds(verdict);
+}
+
+TEST(Judge, PicturesOfLargeTextures) {
+    const Verdict verdict = judgeAll(largeTextureScene, 1, 160 / kShare, kSmallSizes);
+    report("pictures of large textures", verdict);
+    expectWithinBounds(verdict);
+    expectSeen(verdict, {{"large texture", 100000},
+                         {"large texture, smooth", 20000},
+                         {"large texture, lit", 20000}});
 }
 
 // The judge itself must be able to say no: one pixel of another colour is found.

@@ -608,6 +608,8 @@ Scene randomScene(std::uint64_t seed, int width, int height) {
     if (more.oneIn(6)) enterMover(more, scene.world, view);
     if (isLit) light(lamps, scene.world);
     stir(seed, scene.world);
+    Random smooth(seed ^ 0x736d6f6fu);
+    view.smooth = smooth.oneIn(3);
     return scene;
 }
 
@@ -644,6 +646,29 @@ Scene tieScene(std::uint64_t seed, int width, int height) {
     Random lamps(seed ^ 0x6c616d70u);
     if (lamps.oneIn(4)) light(lamps, scene.world);
     stir(seed, scene.world);
+    Random smooth(seed ^ 0x736d6f6fu);
+    view.smooth = smooth.oneIn(3);
+    return scene;
+}
+
+// Some of the textures have 256 or 512 texels a side, each of any colour; the view is narrow, so
+// that many of these are seen.
+Scene largeTextureScene(std::uint64_t seed, int width, int height) {
+    constexpr std::size_t kEach = 4;
+    Scene scene = randomScene(seed, width, height);
+    Random random(seed ^ 0x6c617267u);
+    for (std::size_t i = 0; i < scene.world.textures.size(); i += kEach) {
+        const bool seeThrough = scene.world.textures[i].seeThrough;
+        const int size = random.oneIn(2) ? 256 : 512;
+        Image image(size, size);
+        for (Pixel& pixel : image.pixels) {
+            Colour colour = anyColour(random);
+            if (seeThrough) colour.a = static_cast<std::uint8_t>(85 * random.below(4));
+            pixel = toPixel(colour);
+        }
+        scene.world.textures[i] = makeTexture("large " + std::to_string(i), image);
+    }
+    scene.view.fovDegrees = random.between(10.0, 40.0);
     return scene;
 }
 

@@ -25,6 +25,9 @@ Scene tieScene(std::uint64_t seed, int width, int height);
 // middle column runs along the border.
 Scene alongBorderScene(std::uint64_t seed, int width, int height);
 
+// Some textures have 256 or 512 texels a side, in a narrow view.
+Scene largeTextureScene(std::uint64_t seed, int width, int height);
+
 // Wide land with a block, another floor, a piece of ceiling or an object here and there.
 Scene wideLandScene(std::uint64_t seed, int width, int height);
 

@@ -714,14 +714,14 @@ Tracer::Walk::Then Tracer::Walk::reflect(double height, int ripples) {
     const Meeting meeting = meetingOf(height);
     const Point at = Place::turned(
         Point{eye_.x + meeting.at(direction_.x), eye_.y + meeting.at(direction_.y)}, place_.turn);
-    sights_.back().waves = {ripples,
-                            eyeZ_ - height,
-                            -up_,
-                            static_cast<int>(std::floor(256.0 * (at.x + place_.x))),
-                            static_cast<int>(std::floor(256.0 * (at.y + place_.y))),
-                            place_.x,
-                            place_.y,
-                            place_.levels};
+    // What is this little before a step counts as on it.
+    const auto stepOf = [](double place) {
+        constexpr double kSnap = 1.0 / 8589934592.0;  // 2^-33
+        return static_cast<int>(std::floor(256.0 * (place + kSnap)));
+    };
+    sights_.back().waves = {
+        ripples,  eyeZ_ - height, -up_,         stepOf(at.x + place_.x), stepOf(at.y + place_.y),
+        place_.x, place_.y,       place_.levels};
     if (portals_ > 0) note(Note::mirrorBehindPortal);
     const double along = alongOf(height);
     eyeZ_ = 2.0 * height - eyeZ_;

@@ -28,6 +28,7 @@ struct View {
     int width = 1;
     int height = 1;
     bool detail = true;
+    bool smooth = false;
     bool light = true;
     bool fog = true;
     bool baked = true;
@@ -42,6 +43,7 @@ struct Sight {
     Face face = Face::top;           // side, roof, underside
     bool fromInside = false;         // the ray left the block through this face
     bool outsideGrid = false;        // floor
+    bool isSloped = false;           // roof, underside
     int map = 0;                     // whose light and fog lie on it
     int turn = 0;                    // quarter turns by which that map lies along the ray
     int portals = 0;                 // that the ray has passed before
@@ -167,6 +169,12 @@ public:
     // The level of detail that a sight is shown at, for asserting coverage.
     int level(const Sight& sight, double depthFactor = 1.0) const;
 
+    // Whether its colour is blended between four texels; and whether between texels at opposite
+    // borders of the texture, or between holes and others.
+    bool isSmooth(const Sight& sight, double depthFactor = 1.0) const;
+    bool isBlendedAcrossBorder(const Sight& sight) const;
+    bool isBlendedBesideHole(const Sight& sight) const;
+
     // What has been seen of the maps' baked light, for asserting coverage.
     bool isLit(const Sight& sight) const;
     bool sawLight(bool LightTracer::*what) const;
@@ -179,7 +187,20 @@ private:
     int shiftOf(const Sight::Waves& waves) const;
 
     LightTracer& lightOf(int map) const;
-    Colour litTexel(const Sight& sight, Colour texel, int column, int row, int size) const;
+    // A place along both axes of a face, in 1/65536 of the texture as the map's axes run.
+    struct Spot {
+        int u;
+        int v;
+    };
+    Colour lit(const Sight& sight, Colour texel, Spot spot) const;
+    // The four texels round a point, the nearest first, and their shares of 128 * 128.
+    struct Four {
+        Colour texels[4];
+        int shares[4];
+        bool wraps = false;
+    };
+    Four fourRound(const Sight& sight) const;
+    static Colour blended(const Four& four);
 
     const std::vector<Image>& levelsOf(const Sight& sight) const;
 

@@ -136,9 +136,22 @@ Colour Tracer::colour(const Sight& sight, double depthFactor) const {
         const int i = std::min(n - 1, static_cast<int>(std::floor(std::fabs(fraction) * n)));
         return std::signbit(fraction) ? n - 1 - i : i;
     };
-    const int column = texel(sight.u, image.width);
-    const int row = texel(sight.v, image.height);
-    const Colour raw = litTexel(sight, toColour(image.at(column, row)), column, row, image.height);
+    Colour raw;
+    if (isSmooth(sight, depthFactor)) {
+        const auto placeOf = [](double fraction) {
+            return static_cast<int>(std::floor(65536.0 * std::fabs(fraction)));
+        };
+        raw = lit(sight, blended(fourRound(sight)), {placeOf(sight.u), placeOf(sight.v)});
+    } else {
+        const int column = texel(sight.u, image.width);
+        const int row = texel(sight.v, image.height);
+        const auto middle = [&](int i, double fraction) {
+            const int along = std::signbit(fraction) ? image.height - 1 - i : i;
+            return (2 * along + 1) * 32768 / image.height;
+        };
+        raw = lit(sight, toColour(image.at(column, row)),
+                  {middle(column, sight.u), middle(row, sight.v)});
+    }
 
     const bool unlit = sight.glow || !map.light.on || !view_.light;
     const double falloff = map.light.intensity * map.light.multiplier / depth;
@@ -172,8 +185,76 @@ LightTracer& Tracer::lightOf(int map) const {
     return *lights_[i];
 }
 
-// A texel times the light at its middle.
-Colour Tracer::litTexel(const Sight& sight, Colour texel, int column, int row, int size) const {
+bool Tracer::isSmooth(const Sight& sight, double depthFactor) const {
+    if (!view_.smooth || sight.kind == Sight::Kind::object || sight.texture == kNoTexture)
+        return false;
+    const int size = levelsOf(sight)[0].height;
+    return level(sight, depthFactor) == 0 && sight.depth * depthFactor * size <= distance_;
+}
+
+Tracer::Four Tracer::fourRound(const Sight& sight) const {
+    const Image& image = levelsOf(sight)[0];
+    const int n = image.height;
+    struct Axis {
+        int texel[2];
+        int share[2];
+        bool wraps;
+    };
+    const auto axis = [&](double fraction) {
+        // From the middle of the first texel, and a whole texture further on so that it is positive
+        const int at = static_cast<int>(std::floor(128.0 * n * std::fabs(fraction)));
+        const int s = std::min(at, 128 * n - 1) - 64 + 128 * n;
+        Axis found;
+        for (int i = 0; i < 2; ++i) {
+            const int along = (s / 128 + i) % n;
+            found.texel[i] = std::signbit(fraction) ? n - 1 - along : along;
+            found.share[i] = i == 0 ? 128 - s % 128 : s % 128;
+        }
+        found.wraps = s / 128 % n == n - 1;
+        // The nearer one first
+        if (found.share[1] >= found.share[0]) {
+            std::swap(found.texel[0], found.texel[1]);
+            std::swap(found.share[0], found.share[1]);
+        }
+        return found;
+    };
+    const Axis u = axis(sight.u);
+    const Axis v = axis(sight.v);
+    Four four;
+    four.wraps = u.wraps || v.wraps;
+    for (int i = 0; i < 4; ++i) {
+        four.texels[i] = toColour(image.at(u.texel[i % 2], v.texel[i / 2]));
+        four.shares[i] = u.share[i % 2] * v.share[i / 2];
+    }
+    return four;
+}
+
+Colour Tracer::blended(const Four& four) {
+    const Colour nearest = four.texels[0];
+    int sums[3] = {};
+    for (int i = 0; i < 4; ++i) {
+        const Colour c = four.texels[i].a == 0 ? nearest : four.texels[i];
+        sums[0] += c.r * four.shares[i];
+        sums[1] += c.g * four.shares[i];
+        sums[2] += c.b * four.shares[i];
+    }
+    const auto channel = [](int sum) { return static_cast<std::uint8_t>((sum + 8192) >> 14); };
+    return {channel(sums[0]), channel(sums[1]), channel(sums[2]), nearest.a};
+}
+
+bool Tracer::isBlendedAcrossBorder(const Sight& sight) const {
+    return isSmooth(sight) && fourRound(sight).wraps;
+}
+
+bool Tracer::isBlendedBesideHole(const Sight& sight) const {
+    if (!isSmooth(sight)) return false;
+    const Four four = fourRound(sight);
+    return four.texels[0].a != 0 &&
+           std::any_of(four.texels, four.texels + 4, [](const Colour& c) { return c.a == 0; });
+}
+
+// A texel, or a blend of some, times the light at a spot.
+Colour Tracer::lit(const Sight& sight, Colour texel, Spot spot) const {
     if (!isLit(sight)) return texel;
     LightTracer& light = lightOf(sight.map);
     Rgb l;
@@ -183,12 +264,10 @@ Colour Tracer::litTexel(const Sight& sight, Colour texel, int column, int row, i
     } else if (sight.outsideGrid) {
         l = light.lightOutside();
     } else {
-        const auto middle = [&](int i) { return (2 * i + 1) * 32768 / size; };
-        const int a =
-            (middle(std::signbit(sight.u) ? size - 1 - column : column) + sight.slideU.raw) & 65535;
-        int b = (middle(std::signbit(sight.v) ? size - 1 - row : row) + sight.slideV.raw) & 65535;
+        const int a = (std::min(spot.u, 65535) + sight.slideU.raw) & 65535;
+        int b = (std::min(spot.v, 65535) + sight.slideV.raw) & 65535;
         if (sight.kind == Sight::Kind::side)
-            b = std::min(65535, 65536 - ((middle(row) - sight.rise.raw) & 65535));
+            b = std::min(65535, 65536 - ((std::min(spot.v, 65535) - sight.rise.raw) & 65535));
         l = light.lightAt(sight.litFace, a, b);
     }
     const auto channel = [](int c, int by) {

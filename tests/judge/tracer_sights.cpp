@@ -57,6 +57,7 @@ void Tracer::Walk::pushFace(const CellBlueprint& block, int level, Face which,
     sight.litFace = {mapTile_.x, mapTile_.y, level, static_cast<int>(which)};
     sight.rise = block.textureRise;
     sight.fromInside = fromInside;
+    sight.isSloped = isSloped;
     sight.seeThrough = block.seeThrough;
     sight.texture = look.texture;
     sight.faceLight = look.light;

@@ -184,6 +184,23 @@ Verdict judge(const World& world, const View& view, const Pixel* pixels, int pit
                 if (tracer.isLit(sight))
                     ++verdict.coverage[std::string("lit ") + kKinds[static_cast<int>(sight.kind)]];
                 if (sight.kind != Sight::Kind::object && sight.texture != kNoTexture &&
+                    world.textures[sight.texture].size() == 512) {
+                    ++verdict.coverage["large texture"];
+                    if (tracer.isLit(sight)) ++verdict.coverage["large texture, lit"];
+                    if (tracer.isSmooth(sight)) ++verdict.coverage["large texture, smooth"];
+                }
+                if (tracer.isSmooth(sight)) {
+                    const std::string kind = kKinds[static_cast<int>(sight.kind)];
+                    ++verdict.coverage[(tracer.isLit(sight) ? "smooth lit " : "smooth ") + kind];
+                    if (tracer.isBlendedAcrossBorder(sight))
+                        ++verdict.coverage["smooth across a border " + kind];
+                    if (tracer.isBlendedBesideHole(sight))
+                        ++verdict.coverage["smooth beside a hole"];
+                    if (sight.slideU.raw != 0 || sight.slideV.raw != 0 || sight.rise.raw != 0)
+                        ++verdict.coverage["smooth on what moves"];
+                    if (sight.isSloped) ++verdict.coverage["smooth slope"];
+                }
+                if (sight.kind != Sight::Kind::object && sight.texture != kNoTexture &&
                     world.textures[sight.texture].frames() > 1)
                     ++verdict.coverage["animated"];
                 if (++counts[key] == 1) names[key] = nameOf(world, tracer, sight);

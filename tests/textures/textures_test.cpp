@@ -79,8 +79,8 @@ TEST(Textures, Sizes) {
             continue;
         }
         const bool sky = entry.use == Use::Sky;
-        EXPECT_EQ(image.width, sky ? kSkyWidth : kSide * entry.frames) << entry.name;
-        EXPECT_EQ(image.height, sky ? kSkyHeight : kSide) << entry.name;
+        EXPECT_EQ(image.width, sky ? kSkyWidth : entry.side * entry.frames) << entry.name;
+        EXPECT_EQ(image.height, sky ? kSkyHeight : entry.side) << entry.name;
     }
 }
 

@@ -40,6 +40,11 @@ namespace slicecast::textures {
 
 namespace {
 
+// One that people stand close to.
+Entry fine(const char* name, Use use, Picture (*paint)()) {
+    return {.name = name, .use = use, .paint = paint, .side = kFineSide};
+}
+
 std::vector<Entry> opaqueTextures() {
     return {
         {"brick", Use::Wall, paintBrick},
@@ -47,8 +52,8 @@ std::vector<Entry> opaqueTextures() {
         {"brick-mossy", Use::Wall, paintBrickMossy},
         {"stone-blocks", Use::Wall, paintStoneBlocks},
         {"stone-blocks-worn", Use::Wall, paintStoneBlocksWorn},
-        {"stone-blocks-dark", Use::Wall, paintStoneBlocksDark},
-        {"stone-rubble", Use::Wall, paintStoneRubble},
+        fine("stone-blocks-dark", Use::Wall, paintStoneBlocksDark),
+        fine("stone-rubble", Use::Wall, paintStoneRubble),
         {"sandstone", Use::Wall, paintSandstone},
         {"rock", Use::Wall, paintRock},
         {"plaster-white", Use::Wall, paintPlasterWhite},
@@ -92,7 +97,7 @@ std::vector<Entry> opaqueTextures() {
         {"moss", Use::Floor, paintMoss},
         {"path", Use::Floor, paintPath},
         {"sand", Use::Floor, paintSand},
-        {"cobbles", Use::Floor, paintCobbles},
+        fine("cobbles", Use::Floor, paintCobbles),
         {"flagstones", Use::Floor, paintFlagstones},
         {"water", Use::Floor, paintWater},
         {"marble-checker", Use::Floor, paintMarbleChecker},

@@ -21,6 +21,7 @@ struct Entry {
     bool repeatsUpwards = true;   // false: its upper and lower borders do not meet copies of itself
     bool repeatsSideways = true;  // the same for its left and right borders
     Alpha alpha = Alpha::Opaque;
+    int side = kSide;    // of a block texture, texels
     int frames = 1;      // side by side, equally wide; a sheet's are square
     bool loops = false;  // whether the first frame continues the last
     bool stands = true;  // a sprite with its feet on the lowest row

@@ -229,27 +229,47 @@ Picture paintSand() {
 
 Picture paintCobbles() {
     static const Pieces stones(nearest(spreadPoints(52, 1.15, kGroundSeed + 50U), 1.15), 1.0,
-                               kGroundSeed + 51U);
-    Surface surface;
-    everyTexel([&](int x, int y) {
-        const int piece = stones.pieceAt(x, y);
-        const double inside = stones.edgeAt(x, y) - 1.2;
+                               kGroundSeed + 51U, kFine);
+    Surface surface(kFineSide, kFineSide);
+    everyFineTexel([&](int fineX, int fineY) {
+        const double x = fineX / 2.0;
+        const double y = fineY / 2.0;
+        const int piece = stones.pieceAt(fineX, fineY);
+        const double chipped =
+            1.1 * std::max(0.0, valueNoise(x / 3.2, y / 3.2, 40, 40, kGroundSeed + 54U) - 0.6);
+        const double inside = stones.edgeAt(fineX, fineY) - 1.2 - chipped;
         const double rough = fractalNoise(x / 8.0, y / 8.0, 16, 16, 2, kGroundSeed + 52U) - 0.5;
-        Texel& texel = surface.at(x, y);
+        const double skin = valueNoise(x / 2.0, y / 2.0, 64, 64, kGroundSeed + 55U) - 0.5;
+        const double grain = randomAt(fineX, fineY, kGroundSeed + 56U);
+        Texel& texel = surface.at(fineX, fineY);
         if (inside <= 0.0) {
-            texel = {.height = 0.0, .tone = 0.5 + 1.2 * rough, .ramp = &kStoneRamp};
+            // Sand between the stones, here and there with moss
+            const bool grown =
+                valueNoise(x / 16.0, y / 16.0, 8, 8, kGroundSeed + 57U) > 0.76 && skin > -0.1;
+            texel = {.height = grain > 0.8 ? 0.9 : 0.0,
+                     .tone = (grown ? 1.4 : 0.5) + 1.2 * rough + (grain > 0.8 ? 0.8 : 0.0),
+                     .ramp = grown ? &kMossRamp : &kStoneRamp};
             return;
         }
         const bool warm = hashOf(piece, 1, kGroundSeed + 53U) % 5U < 2U;
         texel.ramp = warm ? &kStoneRamp : &kFlintRamp;
-        texel.tone =
-            (warm ? 2.1 : 3.1) + 0.8 * (randomAt(piece, 2, kGroundSeed + 53U) - 0.5) + 0.8 * rough;
-        texel.height = 4.5 * (1.0 - 1.0 / (1.0 + 0.4 * inside)) + 0.8 * rough;
+        texel.tone = (warm ? 2.1 : 3.1) + 0.8 * (randomAt(piece, 2, kGroundSeed + 53U) - 0.5) +
+                     0.8 * rough + 0.4 * skin;
+        // Crystals that glint, and dark ones
+        texel.tone += grain > 0.985 ? 0.8 : (grain < 0.02 ? -0.7 : 0.0);
+        texel.height = 9.0 * (1.0 - 1.0 / (1.0 + 0.4 * inside)) + 1.6 * rough + 1.0 * skin;
     });
-    return lit(surface, {.gain = 0.65,
+    drawPits(surface, 420, 1.4, kGroundSeed + 58U);
+    for (const Crack& crack :
+         {Crack{.x = 40, .y = 52, .length = 26, .depth = 1.2, .darkening = 0.8, .seed = 31},
+          Crack{.x = 178, .y = 118, .length = 30, .depth = 1.2, .darkening = 0.8, .seed = 32},
+          Crack{.x = 96, .y = 200, .length = 24, .depth = 1.2, .darkening = 0.8, .seed = 33}}) {
+        drawCrack(surface, crack);
+    }
+    return lit(surface, {.gain = 0.6,
                          .lightest = 0.9,
                          .darkest = 1.2,
-                         .shadowReach = 2,
+                         .shadowReach = 4,
                          .shadowSlope = 0.8,
                          .shadowDepth = 0.6});
 }

@@ -10,6 +10,10 @@
 namespace slicecast::textures {
 
 inline constexpr int kSide = 128;  // texels along one side of a block texture
+// The same of one that people stand close to. Its painters count in texels of the others: `kFine`
+// of its own are one of those.
+inline constexpr int kFine = 2;
+inline constexpr int kFineSide = kFine * kSide;
 
 constexpr int wrap(int value, int period) {
     const int rest = value % period;

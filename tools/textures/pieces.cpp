@@ -51,36 +51,46 @@ double wrappedDifference(double from, double to) {
     return difference - kSide * std::floor(difference / kSide + 0.5);
 }
 
-Pieces::Pieces(const std::function<int(int, int)>& pieceOf, double unevenness, std::uint32_t seed)
-    : pieces_(static_cast<std::size_t>(kSide) * kSide),
-      edges_(static_cast<std::size_t>(kSide) * kSide) {
-    for (int y = 0; y < kSide; ++y) {
-        for (int x = 0; x < kSide; ++x) {
-            const double bendX = fractalNoise(x / 8.0, y / 8.0, 16, 16, 2, seed) - 0.5;
-            const double bendY = fractalNoise(x / 8.0, y / 8.0, 16, 16, 2, seed + 1U) - 0.5;
-            const int fromX = x + static_cast<int>(std::floor(2.0 * bendX * unevenness + 0.5));
-            const int fromY = y + static_cast<int>(std::floor(2.0 * bendY * unevenness + 0.5));
-            pieces_[indexOf(x, y)] = pieceOf(wrap(fromX, kSide), wrap(fromY, kSide));
+Pieces::Pieces(const std::function<int(double, double)>& pieceOf, double unevenness,
+               std::uint32_t seed, int fineness)
+    : side_(fineness * kSide),
+      pieces_(static_cast<std::size_t>(side_) * static_cast<std::size_t>(side_)),
+      edges_(pieces_.size()) {
+    const double fine = fineness;
+    const int octaveCount = fineness == 1 ? 2 : 3;
+    const auto bent = [&](int x, int y, std::uint32_t with) {
+        const double bend =
+            fractalNoise(x / (8.0 * fine), y / (8.0 * fine), 16, 16, octaveCount, with) - 0.5;
+        return static_cast<int>(std::floor(2.0 * bend * unevenness * fine + 0.5));
+    };
+    for (int y = 0; y < side_; ++y) {
+        for (int x = 0; x < side_; ++x) {
+            const int fromX = x + bent(x, y, seed);
+            const int fromY = y + bent(x, y, seed + 1U);
+            pieces_[indexOf(x, y)] = pieceOf(wrap(fromX, side_) / fine, wrap(fromY, side_) / fine);
         }
     }
-    for (int y = 0; y < kSide; ++y) {
-        for (int x = 0; x < kSide; ++x) {
-            int best = kEdgeReach * kEdgeReach;
-            for (int dy = -kEdgeReach; dy <= kEdgeReach; ++dy) {
-                for (int dx = -kEdgeReach; dx <= kEdgeReach; ++dx) {
+    const int reach = kEdgeReach * fineness;
+    for (int y = 0; y < side_; ++y) {
+        for (int x = 0; x < side_; ++x) {
+            int best = reach * reach;
+            for (int dy = -reach; dy <= reach; ++dy) {
+                for (int dx = -reach; dx <= reach; ++dx) {
                     const int square = dx * dx + dy * dy;
                     if (square < best && pieceAt(x + dx, y + dy) != pieceAt(x, y)) {
                         best = square;
                     }
                 }
             }
-            edges_[indexOf(x, y)] = std::sqrt(static_cast<double>(best)) - 0.5;
+            edges_[indexOf(x, y)] = (std::sqrt(static_cast<double>(best)) - 0.5) / fine;
         }
     }
 }
 
-std::function<int(int, int)> coursed(std::vector<Course> courses) {
-    return [courses = std::move(courses)](int x, int y) {
+std::function<int(double, double)> coursed(std::vector<Course> courses) {
+    return [courses = std::move(courses)](double atX, double atY) {
+        const int x = static_cast<int>(atX);
+        const int y = static_cast<int>(atY);
         int number = 0;
         int top = 0;
         while (y >= top + courses[static_cast<std::size_t>(number)].height) {
@@ -98,8 +108,10 @@ std::function<int(int, int)> coursed(std::vector<Course> courses) {
     };
 }
 
-std::function<int(int, int)> lettered(std::vector<std::string> rows) {
-    return [rows = std::move(rows)](int x, int y) {
+std::function<int(double, double)> lettered(std::vector<std::string> rows) {
+    return [rows = std::move(rows)](double atX, double atY) {
+        const int x = static_cast<int>(atX);
+        const int y = static_cast<int>(atY);
         const int size = kSide / static_cast<int>(rows.size());
         return static_cast<int>(
             rows[static_cast<std::size_t>(y / size)][static_cast<std::size_t>(x / size)]);
@@ -120,8 +132,8 @@ std::vector<Point> spreadPoints(int count, double flatness, std::uint32_t seed) 
     return points;
 }
 
-std::function<int(int, int)> nearest(std::vector<Point> points, double flatness) {
-    return [points = std::move(points), flatness](int x, int y) {
+std::function<int(double, double)> nearest(std::vector<Point> points, double flatness) {
+    return [points = std::move(points), flatness](double x, double y) {
         return nearestPoint(points, flatness, x, y);
     };
 }

@@ -17,17 +17,21 @@ inline constexpr int kEdgeReach = 9;  // distances beyond this are reported as t
 class Pieces {
 public:
     // `pieceOf` names the piece at a place. `unevenness` bends the cuts by up to that many texels.
-    Pieces(const std::function<int(int x, int y)>& pieceOf, double unevenness, std::uint32_t seed);
+    // For a picture of kFineSide texels `fineness` is kFine: then places are in its texels,
+    // distances still in those of others.
+    Pieces(const std::function<int(double x, double y)>& pieceOf, double unevenness,
+           std::uint32_t seed, int fineness = 1);
 
     int pieceAt(int x, int y) const { return pieces_[indexOf(x, y)]; }
     double edgeAt(int x, int y) const { return edges_[indexOf(x, y)]; }  // texels, at least 0.5
 
 private:
-    static std::size_t indexOf(int x, int y) {
-        return static_cast<std::size_t>(wrap(y, kSide)) * kSide +
-               static_cast<std::size_t>(wrap(x, kSide));
+    std::size_t indexOf(int x, int y) const {
+        return static_cast<std::size_t>(wrap(y, side_)) * static_cast<std::size_t>(side_) +
+               static_cast<std::size_t>(wrap(x, side_));
     }
 
+    int side_;
     std::vector<int> pieces_;
     std::vector<double> edges_;
 };
@@ -41,10 +45,10 @@ struct Course {
 };
 
 // Courses from top to bottom; heights add up to kSide. Pieces are numbered 16 * course + block.
-std::function<int(int, int)> coursed(std::vector<Course> courses);
+std::function<int(double, double)> coursed(std::vector<Course> courses);
 
 // A pattern drawn with letters on a coarse square grid; equal neighbouring letters are one piece.
-std::function<int(int, int)> lettered(std::vector<std::string> rows);
+std::function<int(double, double)> lettered(std::vector<std::string> rows);
 
 struct Point {
     double x;
@@ -56,7 +60,7 @@ struct Point {
 std::vector<Point> spreadPoints(int count, double flatness, std::uint32_t seed);
 
 // Each texel belongs to the nearest point.
-std::function<int(int, int)> nearest(std::vector<Point> points, double flatness);
+std::function<int(double, double)> nearest(std::vector<Point> points, double flatness);
 
 // The shorter way from one coordinate to another around the texture, in (-64, 64].
 double wrappedDifference(double from, double to);

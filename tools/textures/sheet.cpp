@@ -174,7 +174,7 @@ Picture tilesSheet(const std::vector<Entry>& entries) {
         const Picture texture = entry.paint();
         const int left = index % perRow * cellWidth + kMargin;
         const int top = index / perRow * cellHeight + kMargin / 2;
-        if (texture.width == kSide) {
+        if (texture.width == texture.height) {
             const int second = left + kTiled + kMargin;
             const int third = second + kTiled + kMargin;
             copyTiled(sheet, texture, left, top, kTiled, kTiled, 1);

@@ -104,23 +104,42 @@ Picture paintStoneBlocksWorn() {
 Picture paintStoneBlocksDark() {
     static const Pieces pieces(
         coursed({{64, 0, {64, 64}}, {32, 32, {64, 64}}, {32, 0, {48, 40, 40}}}), 1.0,
-        kStoneworkSeed + 20U);
-    Surface surface;
-    everyTexel([&](int x, int y) {
-        Texel& texel = surface.at(x, y);
-        const double inside = pieces.edgeAt(x, y) - 0.8;
+        kStoneworkSeed + 20U, kFine);
+    Surface surface(kFineSide, kFineSide);
+    everyFineTexel([&](int fineX, int fineY) {
+        const double x = fineX / 2.0;
+        const double y = fineY / 2.0;
+        Texel& texel = surface.at(fineX, fineY);
+        const double chipped =
+            1.6 * std::max(0.0, valueNoise(x / 3.2, y / 3.2, 40, 40, kStoneworkSeed + 22U) - 0.6);
+        const double inside = pieces.edgeAt(fineX, fineY) - 0.8 - chipped;
         const double rough = fractalNoise(x / 16.0, y / 16.0, 8, 8, 3, kStoneworkSeed + 21U);
-        const double variation = randomAt(pieces.pieceAt(x, y), 5, kStoneworkSeed) - 0.5;
+        const double grain = randomAt(fineX, fineY, kStoneworkSeed + 23U);
+        const double variation = randomAt(pieces.pieceAt(fineX, fineY), 5, kStoneworkSeed) - 0.5;
         texel.ramp = &kSlateRamp;
-        texel.height = inside <= 0.0 ? 0.0
-                                     : std::min(1.0 + inside * 0.6, 3.0) +
-                                           (inside > 3.0 ? 5.0 * (rough - 0.5) : 0.0);
-        texel.tone = inside <= 0.0 ? 1.2 : 3.4 + 0.9 * variation + 0.9 * (rough - 0.5);
+        if (inside <= 0.0) {  // mortar with grains of sand
+            texel.height = grain > 0.82 ? 0.8 : 0.0;
+            texel.tone = 1.2 + (grain > 0.82 ? 0.6 : 0.0);
+            return;
+        }
+        // Split along its bed: thin steps; and here and there a vein
+        const double bed =
+            valueNoise((x + y) / 32.0, (y - x + kSide) / 2.0, 8, 128, kStoneworkSeed + 24U);
+        const double vein =
+            std::abs(fractalNoise(x / 32.0, y / 32.0, 4, 4, 4, kStoneworkSeed + 25U) - 0.5);
+        texel.height = 2.0 * std::min(1.0 + inside * 0.6, 3.0);
+        texel.tone = 3.4 + 0.9 * variation + 0.9 * (rough - 0.5);
+        if (inside > 1.5) {
+            texel.height += (inside > 3.0 ? 10.0 * (rough - 0.5) : 0.0) - (bed < 0.22 ? 0.9 : 0.0);
+            texel.tone += bed > 0.82 ? 0.4 : 0.0;
+        }
+        texel.tone += vein < 0.004 ? 0.9 : (grain > 0.985 ? 0.6 : (grain < 0.015 ? -0.6 : 0.0));
     });
-    return lit(surface, {.gain = 0.6,
+    drawPits(surface, 500, 1.4, kStoneworkSeed + 26U);
+    return lit(surface, {.gain = 0.55,
                          .lightest = 1.0,
                          .darkest = 1.2,
-                         .shadowReach = 3,
+                         .shadowReach = 6,
                          .shadowSlope = 0.6,
                          .shadowDepth = 0.8});
 }
@@ -128,33 +147,52 @@ Picture paintStoneBlocksDark() {
 Picture paintStoneRubble() {
     const double flatness = 1.35;
     static const Pieces pieces(nearest(spreadPoints(30, flatness, kStoneworkSeed + 30U), flatness),
-                               1.5, kStoneworkSeed + 31U);
+                               1.5, kStoneworkSeed + 31U, kFine);
     static const std::array<const Ramp*, 4> ramps = {&kStoneRamp, &kStoneRamp, &kEarthRamp,
                                                      &kFlintRamp};
-    Surface surface;
-    everyTexel([&](int x, int y) {
-        Texel& texel = surface.at(x, y);
-        const int piece = pieces.pieceAt(x, y);
-        const double inside = pieces.edgeAt(x, y) - 1.3;
+    Surface surface(kFineSide, kFineSide);
+    everyFineTexel([&](int fineX, int fineY) {
+        const double x = fineX / 2.0;
+        const double y = fineY / 2.0;
+        Texel& texel = surface.at(fineX, fineY);
+        const int piece = pieces.pieceAt(fineX, fineY);
+        const double chipped =
+            1.2 * std::max(0.0, valueNoise(x / 3.2, y / 3.2, 40, 40, kStoneworkSeed + 34U) - 0.6);
+        const double inside = pieces.edgeAt(fineX, fineY) - 1.3 - chipped;
         const double rough = fractalNoise(x / 8.0, y / 8.0, 16, 16, 2, kStoneworkSeed + 32U) - 0.5;
-        if (inside <= 0.0) {
+        const double skin = valueNoise(x / 2.0, y / 2.0, 64, 64, kStoneworkSeed + 35U) - 0.5;
+        const double grain = randomAt(fineX, fineY, kStoneworkSeed + 36U);
+        if (inside <= 0.0) {  // mortar, rubbed smooth, with grains of sand
             texel.ramp = &kStoneRamp;
-            texel.tone = 2.3 + 1.0 * rough;
-            texel.height = 0.4 * rough;
+            texel.tone = 2.3 + 1.0 * rough + (grain > 0.9 ? 0.7 : (grain < 0.1 ? -0.6 : 0.0));
+            texel.height = 0.8 * rough + (grain > 0.9 ? 0.6 : 0.0);
             return;
         }
+        // Most stones show the bed that they were split from
+        const double bed = valueNoise((x + 2.0 * skin) / 16.0, (y + 3.0 * rough) / 1.6, 8, 80,
+                                      kStoneworkSeed + 40U + static_cast<std::uint32_t>(piece));
+        const bool isBedded = hashOf(piece, 8, kStoneworkSeed) % 3U != 0U;
         const auto kind = hashOf(piece, 4, kStoneworkSeed) % ramps.size();
         texel.ramp = ramps[kind];
         texel.tone = (kind == 2   ? 4.2
                       : kind == 3 ? 4.6
                                   : 3.6) +
-                     1.1 * (randomAt(piece, 6, kStoneworkSeed) - 0.5) + 1.2 * rough;
-        texel.height = std::min(inside, 3.0) * 0.9 + 0.15 * inside + 1.2 * rough;
+                     1.1 * (randomAt(piece, 6, kStoneworkSeed) - 0.5) + 1.2 * rough + 0.3 * skin;
+        texel.tone += grain > 0.985 ? 0.7 : (grain < 0.02 ? -0.6 : 0.0);
+        texel.height = std::min(inside, 3.0) * 1.8 + 0.3 * inside + 2.4 * rough + 0.8 * skin;
+        if (isBedded && bed < 0.25) {
+            texel.height -= 0.9;
+            texel.tone -= 0.2;
+        }
     });
-    return lit(surface, {.gain = 0.5,
+    drawPits(surface, 520, 1.2, kStoneworkSeed + 37U);
+    drawCrack(surface, {.x = 58, .y = 40, .length = 34, .depth = 1.5, .darkening = 0.9, .seed = 7});
+    drawCrack(surface,
+              {.x = 200, .y = 170, .length = 30, .depth = 1.5, .darkening = 0.9, .seed = 9});
+    return lit(surface, {.gain = 0.45,
                          .lightest = 0.9,
                          .darkest = 1.3,
-                         .shadowReach = 3,
+                         .shadowReach = 6,
                          .shadowSlope = 0.7,
                          .shadowDepth = 0.8});
 }

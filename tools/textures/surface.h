@@ -75,6 +75,16 @@ void everyTexel(Paint paint) {
     }
 }
 
+// The same for a picture of kFineSide texels.
+template <typename Paint>
+void everyFineTexel(Paint paint) {
+    for (int y = 0; y < kFineSide; ++y) {
+        for (int x = 0; x < kFineSide; ++x) {
+            paint(x, y);
+        }
+    }
+}
+
 // The same for the texels of a rectangle; right and bottom are outside it. It may reach over the
 // edges.
 template <typename Paint>

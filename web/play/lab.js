@@ -59,6 +59,13 @@ const kGroups = [
     ],
   },
   {
+    title: 'Textures',
+    rows: [
+      { option: 'smooth', label: 'Smooth close up' },
+      { option: 'detail', label: 'Smooth far away' },
+    ],
+  },
+  {
     title: 'Light',
     rows: [
       { option: 'lightPreset', label: 'Time of day', choices: kTimesOfDay },
