@@ -1,8 +1,9 @@
 // The planes that cut a block of light's world out of its box: slopes, and the cut of a half.
-// Everything is exact: a sample counts as moved by an infinitely small step east, a far smaller one
-// south and a still smaller one up, and so do the moments at which its ways cross the planes.
+// Everything is exact, also the small steps by which samples count as moved (see LightWay): they
+// move the moments at which ways cross the planes.
 #pragma once
 
+#include "render/light_way.h"
 #include "world/blueprint.h"
 
 #include <array>
@@ -11,14 +12,25 @@
 
 namespace slicecast {
 
-using LightVector = std::array<std::int32_t, 3>;  // east, south, up, 1/65536 units
-
 // A moment of a way, num / den of its vector: `num` from where the way begins; den 0 is never. The
 // small step along each axis makes it later by late / den.
 struct CutMoment {
-    std::int64_t num = 0;
-    std::int64_t den = 1;
+    std::int64_t num;
+    std::int64_t den;
     std::array<std::int64_t, 3> late{};
+
+    CutMoment(std::int64_t numerator, std::int64_t denominator,
+              std::array<std::int64_t, 3> lateness = {})
+        : num(numerator), den(denominator), late(lateness) {}
+    // Of a way, whose last bits tell by which axis it is late.
+    CutMoment(const LightWay& way, LightMoment moment) : den(way.whole / 8) {
+        const LightMoment order = ((moment + 4) & 7) - 4;
+        num = (moment - order) / 8;
+        if (order != 0) {
+            const auto axis = static_cast<std::size_t>(3 - std::abs(order));
+            late[axis] = order < 0 ? -way.shares[axis] / 8 : way.shares[axis] / 8;
+        }
+    }
 
     bool isBefore(const CutMoment& other) const {
         __extension__ using Wide = __int128;

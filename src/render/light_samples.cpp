@@ -1,14 +1,12 @@
 #include "render/light_samples.h"
 
 #include <algorithm>
-#include <cmath>
+#include <bit>
 
 namespace slicecast {
 namespace {
 
-constexpr std::int32_t kHalfUnit = 32768;
-constexpr std::int32_t kLift = 16;  // of samples off their face, 1/65536 units
-constexpr int kTurns[2][2] = {{0, 3}, {1, 2}};
+constexpr LightTint kAll = {255, 255, 255};
 
 // Which way a sample looks: as its face does, or for objects as a roof.
 struct Outlook {
@@ -21,49 +19,31 @@ double squareOf(const LightVector& v) {
     return part(0) * part(0) + part(1) * part(1) + part(2) * part(2);
 }
 
-// The cosine between the outward direction and a way.
-double cosine(const Outlook& outlook, const LightVector& way) {
-    if (outlook.even) return 1.0;
-    const std::array<std::int64_t, 3> out = outlook.area.outward();
-    const auto product = static_cast<double>(out[0] * way[0] + out[1] * way[1] + out[2] * way[2]);
-    const auto square = static_cast<double>(out[0] * out[0] + out[1] * out[1] + out[2] * out[2]);
-    return product / (std::sqrt(square) * std::sqrt(squareOf(way)));
-}
-
 // #region sun
-void addSun(LightScene& scene, const LightVector& at, const Outlook& outlook, LightColour& light) {
+void addSun(LightScene& scene, const LightVector& at, std::size_t quarter,
+            const LightFans::Face& ways, LightColour& light) {
+    if (!scene.hasSun() || ways.sunShare == 0 || ways.sun.dark.has(quarter)) return;
+    const LightTint t = ways.sun.dim.has(quarter) ? scene.through(at, scene.sun(), true) : kAll;
     const Colour sun = scene.light().sun;
-    if ((sun.r | sun.g | sun.b) == 0) return;
-    const auto n =
-        static_cast<std::int32_t>(256.0 * std::max(0.0, cosine(outlook, scene.sun())) + 0.5);
-    if (n == 0) return;
-    const LightTint t = scene.through(at, scene.sun(), true);
     const std::array channels = {sun.r, sun.g, sun.b};
-    for (std::size_t i = 0; i < 3; ++i) light[i] += (channels[i] * n * t[i] + 32640) / 65280;
+    for (std::size_t i = 0; i < 3; ++i)
+        light[i] += (channels[i] * ways.sunShare * t[i] + 32640) / 65280;
 }
 // #endregion
 
-void addSky(LightScene& scene, const LightVector& at, const Outlook& outlook, int turns,
-            LightColour& light) {
-    const Colour ambient = scene.light().ambient;
-    if ((ambient.r | ambient.g | ambient.b) == 0) return;
-    LightColour sky = {1020, 1020, 1020};
-    for (const auto& way : kSkyWays) {
-        std::int32_t a = way[0];
-        std::int32_t b = way[1];
-        for (int i = 0; i < turns; ++i) {
-            const std::int32_t before = a;
-            a = -b;
-            b = before;
-        }
-        const LitArea& area = outlook.area;
-        LightVector step{};
-        step[static_cast<std::size_t>(area.a)] = a;
-        step[static_cast<std::size_t>(area.b)] = b;
-        step[static_cast<std::size_t>(area.normal)] = area.sign * way[2] + area.liftOf(a, b);
-        const LightTint t = scene.through(at, step);
+void addSky(LightScene& scene, const LightVector& at, const Outlook& outlook, std::size_t quarter,
+            const LightFans::Face& ways, LightColour& light) {
+    if (!scene.hasSky()) return;
+    const std::uint32_t dark = ways.sky.dark.skyOf(quarter);
+    const std::uint32_t dim = ways.sky.dim.skyOf(quarter) & ~dark;
+    LightColour sky;
+    sky.fill(1020 + 255 * (8 - std::popcount(dark | dim)));
+    for (std::size_t way = 0; way < 8; ++way) {
+        if ((dim >> way & 1) == 0) continue;
+        const LightTint t = scene.through(at, skyWay(outlook.area, way, turnsOf(quarter)));
         for (std::size_t i = 0; i < 3; ++i) sky[i] += t[i];
     }
+    const Colour ambient = scene.light().ambient;
     const std::array channels = {ambient.r, ambient.g, ambient.b};
     for (std::size_t i = 0; i < 3; ++i) light[i] += (channels[i] * sky[i] + 1530) / 3060;
 }
@@ -75,23 +55,26 @@ void addLamps(LightScene& scene, const LightVector& at, const Outlook& outlook,
         const double square = squareOf(way);
         if (square >= lamp.square) continue;
         if (lamp.ofFace && lamp.face.inFront(at) <= 0) continue;
-        const double c = square > 0.0 || outlook.even ? cosine(outlook, way) : 0.0;
+        const double c = outlook.even ? 1.0 : square > 0.0 ? outlook.area.cosine(way) : 0.0;
         if (!(c > 0.0)) continue;
-        const LightTint t = scene.through(at, way);
         const double w = 1.0 - square / lamp.square;
         const Colour colour = lamp.kind.colour;
         const std::array channels = {colour.r, colour.g, colour.b};
-        for (std::size_t i = 0; i < 3; ++i) {
-            const double s = lamp.kind.strength * channels[i] * w * w * (1.0 + 3.0 * c) / 4.0 + 0.5;
-            light[i] += (static_cast<std::int32_t>(s) * t[i] + 127) / 255;
-        }
+        LightColour all{};
+        for (std::size_t i = 0; i < 3; ++i)
+            all[i] = static_cast<std::int32_t>(
+                lamp.kind.strength * channels[i] * w * w * (1.0 + 3.0 * c) / 4.0 + 0.5);
+        if ((all[0] | all[1] | all[2]) == 0) continue;
+        const LightTint t = scene.through(at, way);
+        for (std::size_t i = 0; i < 3; ++i) light[i] += (all[i] * t[i] + 127) / 255;
     }
 }
 
-LightColour lightAt(LightScene& scene, const LightVector& at, const Outlook& outlook, int turns) {
+LightColour lightAt(LightScene& scene, const LightVector& at, const Outlook& outlook,
+                    std::size_t quarter, const LightFans::Face& ways) {
     LightColour light{};
-    addSun(scene, at, outlook, light);
-    addSky(scene, at, outlook, turns, light);
+    addSun(scene, at, quarter, ways, light);
+    addSky(scene, at, outlook, quarter, ways, light);
     addLamps(scene, at, outlook, light);
     return light;
 }
@@ -130,7 +113,7 @@ Pixel everywhere(const LightScene& scene) {
 
 FaceNodes LightSamples::ofOutside(const LightScene& scene) {
     const BakedLight& baked = scene.light();
-    const auto n = static_cast<std::int32_t>(256.0 * std::max(0.0, cosine({}, scene.sun())) + 0.5);
+    const std::int32_t n = sunShareOf({}, scene.sun());
     const std::array suns = {baked.sun.r, baked.sun.g, baked.sun.b};
     const std::array ambients = {baked.ambient.r, baked.ambient.g, baked.ambient.b};
     LightColour light{};
@@ -151,10 +134,12 @@ LightColour LightSamples::ofObject(LightScene& scene, const Object& object) {
     }
     const bool all = std::all_of(places.begin(), places.end(),
                                  [&](const LightVector& at) { return scene.isInOpaque(at); });
+    // No cell tells of its ways: each is followed
+    constexpr std::array<std::size_t, 4> kTurned = {0, 1, 5, 4};  // quarters turned by 0 to 3
     Mean mean;
     for (std::size_t i = 0; i < 4; ++i) {
         if (all || !scene.isInOpaque(places[i]))
-            mean.add(lightAt(scene, places[i], {{}, true}, static_cast<int>(i)));
+            mean.add(lightAt(scene, places[i], {{}, true}, kTurned[i], {kNotSeen, kNotSeen, 256}));
     }
     return {inSteps(mean.of(0)), inSteps(mean.of(1)), inSteps(mean.of(2))};
 }
@@ -168,65 +153,76 @@ LightSamples::Entry& LightSamples::entryOf(LightScene& scene, const LitFaceAt& f
     entry.key = key;
     entry.generation = generation_;
     entry.touched = 0;
+    entry.isSeen = false;
     entry.exists = scene.findArea(face, entry.area);
     for (Quarter& quarter : entry.quarters) quarter.known = false;
     return entry;
 }
 
-// The quarter in a column and row from 0 to 3.
-const LightSamples::Quarter& LightSamples::quarterOf(LightScene& scene, Entry& entry, int column,
-                                                     int row) {
-    Quarter& quarter = entry.quarters[static_cast<std::size_t>(row * 4 + column)];
+const LightSamples::Quarter& LightSamples::quarterOf(LightScene& scene, const LitFaceAt& face,
+                                                     Entry& entry, std::size_t number) {
+    Quarter& quarter = entry.quarters[number];
     if (quarter.known) return quarter;
     quarter.known = true;
     quarter.counts = false;
-    const LitArea& area = entry.area;
-    const std::array place = {column, row};
-    for (std::size_t i = 0; i < 2; ++i) {
-        const std::int32_t begin = area.tile[i] + place[i] / 2 * kHalfUnit;
-        const std::int32_t low = std::max(area.low[i], begin);
-        const std::int32_t high = std::min(area.high[i], begin + kHalfUnit);
-        if (low >= high) return quarter;
-        quarter.at[static_cast<std::size_t>(i == 0 ? area.a : area.b)] =
-            low + (high - low) * (place[i] % 2 == 0 ? 1 : 3) / 4;
-    }
-    quarter.at[static_cast<std::size_t>(area.normal)] =
-        area.planeAt(quarter.at[static_cast<std::size_t>(area.a)],
-                     quarter.at[static_cast<std::size_t>(area.b)]) +
-        area.sign * kLift;
+    if (!findSample(entry.area, number, quarter.at)) return quarter;
     const std::uint64_t before = scene.touched();
     scene.clearTouched();
     quarter.counts = !scene.isInOpaque(quarter.at);
     if (quarter.counts) {
-        quarter.light = lightAt(scene, quarter.at, {area}, kTurns[column % 2][row % 2]);
+        if (!entry.isSeen) entry.ways = fans_.look(scene, face, entry.area);
+        entry.isSeen = true;
+        quarter.isInOpen = scene.isOpen(quarter.at, face);
+        quarter.light = lightAt(scene, quarter.at, {entry.area}, number, entry.ways);
     }
     entry.touched |= scene.touched();
     scene.addTouched(before);
     return quarter;
 }
 
+bool LightSamples::areLinked(LightScene& scene, const LitArea& area, const Quarter& a,
+                             const Quarter& b) {
+    // Most are in one open cell, or in two side by side
+    if (a.isInOpen && b.isInOpen && (area.isLevel() || LightScene::areInOneCell(a.at, b.at)) &&
+        !scene.isCeilingBetween(a.at[2], b.at[2]))
+        return true;
+    const LightTint t =
+        scene.through(a.at, {b.at[0] - a.at[0], b.at[1] - a.at[1], b.at[2] - a.at[2]});
+    return (t[0] | t[1] | t[2]) != 0;
+}
+
 FaceNodes LightSamples::nodesOf(LightScene& scene, const LitFaceAt& face, const LitArea& area) {
-    constexpr Quarter kNothing = {};
-    // The quarter in a column and row that may be those of a face beside.
+    // The face's quarters, and those round them, which are of the faces beside
+    std::array<std::array<Quarter, 6>, 6> quarters{};
     std::uint64_t touched = 0;
-    const auto quarter = [&](int column, int row) -> Quarter {
-        const int stepA = column < 0 ? -1 : column > 3 ? 1 : 0;
-        const int stepB = row < 0 ? -1 : row > 3 ? 1 : 0;
-        LitFaceAt at = LightScene::beside(face, area, stepA, stepB);
-        if (!scene.map().contains(at.x, at.y)) return kNothing;
-        touched |= scene.changeableBit(at.x, at.y);
-        const bool climbs = area.normal == 2 && area.rise[0] * stepA + area.rise[1] * stepB != 0;
-        for (const int climb : {0, 1, -2}) {
-            if (climb != 0 && !climbs) break;
-            at.level += climb;
-            if (at.level < 0) continue;
-            Entry& entry = entryOf(scene, at);
-            if (!entry.exists || !entry.area.isInPlaneOf(area)) continue;
-            const Quarter& found = quarterOf(scene, entry, column - 4 * stepA, row - 4 * stepB);
-            touched |= entry.touched;
-            return found;
+    for (int stepA = -1; stepA <= 1; ++stepA) {
+        for (int stepB = -1; stepB <= 1; ++stepB) {
+            LitFaceAt at = LightScene::beside(face, area, stepA, stepB);
+            if (!scene.map().contains(at.x, at.y)) continue;
+            const bool climbs =
+                area.normal == 2 && area.rise[0] * stepA + area.rise[1] * stepB != 0;
+            for (const int climb : {0, 1, -2}) {
+                if (climb != 0 && !climbs) break;
+                at.level += climb;
+                if (at.level < 0) continue;
+                touched |= scene.changeableBit(at.x, at.y, at.level);
+                Entry& entry = entryOf(scene, at);
+                if (!entry.exists || !entry.area.isInPlaneOf(area)) continue;
+                const auto first = [](int step) { return step < 0 ? 3 : 0; };
+                const auto last = [](int step) { return step > 0 ? 0 : 3; };
+                for (int row = first(stepB); row <= last(stepB); ++row) {
+                    for (int column = first(stepA); column <= last(stepA); ++column)
+                        quarters[static_cast<std::size_t>(row + 4 * stepB + 1)]
+                                [static_cast<std::size_t>(column + 4 * stepA + 1)] = quarterOf(
+                                    scene, at, entry, static_cast<std::size_t>(4 * row + column));
+                }
+                touched |= entry.touched;
+                break;
+            }
         }
-        return kNothing;
+    }
+    const auto quarter = [&](int column, int row) -> const Quarter& {
+        return quarters[static_cast<std::size_t>(row + 1)][static_cast<std::size_t>(column + 1)];
     };
     FaceNodes nodes;
     scene.clearTouched();
@@ -235,19 +231,16 @@ FaceNodes LightSamples::nodesOf(LightScene& scene, const LitFaceAt& face, const 
             const int column = 2 * nodeA - 1;
             const int row = 2 * nodeB - 1;
             // Round the node: low low, high low, high high, low high
-            const std::array<Quarter, 4> round = {quarter(column, row), quarter(column + 1, row),
-                                                  quarter(column + 1, row + 1),
-                                                  quarter(column, row + 1)};
+            const std::array<const Quarter*, 4> round = {
+                &quarter(column, row), &quarter(column + 1, row), &quarter(column + 1, row + 1),
+                &quarter(column, row + 1)};
             // #region links
             std::array<int, 4> group = {0, 1, 2, 3};  // quarters of one number are linked
             for (std::size_t i = 0; i < 4; ++i) {
                 const std::size_t next = (i + 1) % 4;
-                if (!round[i].counts || !round[next].counts || group[i] == group[next]) continue;
-                const LightVector& from = round[i < 2 ? i : next].at;
-                const LightVector& to = round[i < 2 ? next : i].at;
-                const LightTint t =
-                    scene.through(from, {to[0] - from[0], to[1] - from[1], to[2] - from[2]});
-                if ((t[0] | t[1] | t[2]) == 0) continue;
+                if (!round[i]->counts || !round[next]->counts || group[i] == group[next]) continue;
+                if (!areLinked(scene, area, *round[i < 2 ? i : next], *round[i < 2 ? next : i]))
+                    continue;
                 const int old = group[next];
                 for (int& number : group) number = number == old ? group[i] : number;
             }
@@ -261,14 +254,14 @@ FaceNodes LightSamples::nodesOf(LightScene& scene, const LitFaceAt& face, const 
                 if (squareA < 0 || squareA > 1 || squareB < 0 || squareB > 1) continue;
                 Mean mean;
                 const auto own = static_cast<std::size_t>(i);
-                for (std::size_t k = 0; k < 4 && round[own].counts; ++k) {
-                    if (round[k].counts && group[k] == group[own]) mean.add(round[k].light);
+                for (std::size_t k = 0; k < 4 && round[own]->counts; ++k) {
+                    if (round[k]->counts && group[k] == group[own]) mean.add(round[k]->light);
                 }
                 const auto addAll = [&](int firstColumn, int lastColumn, int firstRow,
                                         int lastRow) {
                     for (int r = firstRow; r <= lastRow; ++r) {
                         for (int c = firstColumn; c <= lastColumn; ++c) {
-                            const Quarter one = quarter(c, r);
+                            const Quarter& one = quarter(c, r);
                             if (one.counts) mean.add(one.light);
                         }
                     }

@@ -14,6 +14,7 @@
 //                    ^ > a     +--+--+--+--+
 #pragma once
 
+#include "render/light_fans.h"
 #include "render/light_scene.h"
 
 #include <array>
@@ -22,13 +23,6 @@
 #include <vector>
 
 namespace slicecast {
-
-// The ways to the sky from a sample, along its face's axes a and b and outward, 1/65536 units. They
-// lie at equal shares of the light that falls on a face from all of the sky.
-inline constexpr std::int32_t kSkyWays[8][3] = {
-    {49152, 0, 190365},      {-62775, 57507, 177220},   {9609, -109486, 163019},
-    {79124, 103203, 147456}, {-145202, -25684, 130044}, {137548, -87497, 109907},
-    {-46007, 171144, 85134}, {-87741, -168939, 49152}};
 
 using LightColour = std::array<std::int32_t, 3>;  // red, green, blue
 
@@ -49,6 +43,11 @@ class LightSamples {
 public:
     // Forgets all samples.
     void clear() { generation_ += 1; }
+    // And what is known of ways: for another map, or if a still block has changed.
+    void forgetAll() {
+        clear();
+        fans_.forget();
+    }
 
     FaceNodes nodesOf(LightScene& scene, const LitFaceAt& face, const LitArea& area);
 
@@ -63,6 +62,7 @@ private:
         LightColour light{};
         bool known = false;
         bool counts = false;
+        bool isInOpen = false;  // see LightScene::isOpen
     };
     // Of one face; faces share places, and the last one stays.
     struct Entry {
@@ -70,14 +70,21 @@ private:
         std::uint32_t generation = 0;
         bool exists = false;
         LitArea area;
+        bool isSeen = false;  // `ways` is known
+        LightFans::Face ways;
         std::uint64_t touched = 0;
         std::array<Quarter, 16> quarters;
     };
-    static constexpr std::size_t kEntries = 512;  // a power of two
+    static constexpr std::size_t kEntries = 1024;  // a power of two
 
     Entry& entryOf(LightScene& scene, const LitFaceAt& face);
-    static const Quarter& quarterOf(LightScene& scene, Entry& entry, int column, int row);
+    const Quarter& quarterOf(LightScene& scene, const LitFaceAt& face, Entry& entry,
+                             std::size_t number);
+    // Whether light comes from one of the samples of a plane to the other.
+    static bool areLinked(LightScene& scene, const LitArea& area, const Quarter& a,
+                          const Quarter& b);
 
+    LightFans fans_;
     std::vector<Entry> entries_;
     std::uint32_t generation_ = 1;
 };

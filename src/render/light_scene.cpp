@@ -1,6 +1,7 @@
 #include "render/light_scene.h"
 
 #include "base/angle.h"
+#include "render/light_cuts.h"
 
 #include <algorithm>
 #include <bit>
@@ -19,6 +20,15 @@ constexpr std::int32_t floored(std::int32_t raw) {
 
 }  // namespace
 
+double LitArea::cosine(const LightVector& way) const {
+    const std::array<std::int64_t, 3> out = outward();
+    const auto part = [&](std::size_t i) { return static_cast<double>(way[i]); };
+    const auto product = static_cast<double>(out[0] * way[0] + out[1] * way[1] + out[2] * way[2]);
+    const auto square = static_cast<double>(out[0] * out[0] + out[1] * out[1] + out[2] * out[2]);
+    return product / (std::sqrt(square) *
+                      std::sqrt(part(0) * part(0) + part(1) * part(1) + part(2) * part(2)));
+}
+
 bool LightScene::begin(const World& world, const Map& map) {
     const bool isNew =
         world_ != &world || map_ != &map || edition_ != map.edition || !(known_ == map.baked);
@@ -32,10 +42,13 @@ bool LightScene::begin(const World& world, const Map& map) {
         sun_ = {toCoordinate(level * cosDegrees(known_.azimuth)).raw,
                 toCoordinate(level * sinDegrees(known_.azimuth)).raw,
                 toCoordinate(sinDegrees(known_.altitude)).raw};
-        highest_ = std::max(tileEdge(map.levels).raw,
-                            map.ceiling.tiles.empty() ? 0 : map.ceiling.height.raw) +
-                   1;
         tints_.assign(world.textures.size(), {});
+        looks_.clear();
+        for (const CellBlueprint& block : world.blueprints) {
+            const bool isWhole =
+                block.mover < 0 && block.isBox() && block.fillsUp() && block.fillsDown();
+            looks_.push_back({isWhole, block.seeThrough});
+        }
         hangLamps();
         findChangingTiles();
         return true;
@@ -275,7 +288,7 @@ bool LightScene::isInOpaque(const LightVector& point) {
     const int x = point[0] >> 16;
     const int y = point[1] >> 16;
     const int level = point[2] >> 16;
-    if (map_->contains(x, y)) touched_ |= changeableBit(x, y);
+    if (map_->contains(x, y)) touched_ |= changeableBit(x, y, level);
     if (!map_->isOccupied(x, y, level)) return false;
     const CellBlueprint& block = world_->blueprints[map_->cell(x, y, level)];
     if (block.seeThrough) return false;

@@ -3,9 +3,10 @@
 // web/docs/picture.md.
 #pragma once
 
-#include "render/light_cuts.h"
+#include "render/light_way.h"
 #include "world/world.h"
 
+#include <algorithm>
 #include <array>
 #include <cstdint>
 #include <span>
@@ -73,6 +74,7 @@ struct LitArea {
         out[static_cast<std::size_t>(normal)] = std::int64_t{sign} * 65536;
         return out;
     }
+    bool isLevel() const { return rise[0] == 0 && rise[1] == 0; }
     // How far a point is in front of the plane, in 1/2^32 units along the normal.
     std::int64_t inFront(const LightVector& point) const {
         const auto along = [&](int axis) {
@@ -85,6 +87,10 @@ struct LitArea {
         return normal == other.normal && sign == other.sign && rise == other.rise &&
                inFront({}) == other.inFront({});
     }
+    // Between the outward direction and a way that is not 0.
+    double cosine(const LightVector& way) const;
+
+    friend bool operator==(const LitArea&, const LitArea&) = default;
 };
 
 // A lamp as rays look for it.
@@ -98,6 +104,12 @@ struct HungLamp {
 
 class LightScene {
 public:
+    // How a block looks to light.
+    struct Look {
+        bool isWhole;  // it fills its cell, and stays so
+        bool isClear;  // see-through
+    };
+
     // Looks at a map that has baked light. Returns whether all that was known of its light is
     // void; if not, changedTiles() says where something has changed since the last time. Both must
     // outlive the scene's use.
@@ -115,9 +127,10 @@ public:
     std::uint64_t touched() const { return touched_; }
     void clearTouched() { touched_ = 0; }
     void addTouched(std::uint64_t bits) { touched_ |= bits; }
-    // The tile's bit if something over it may change, else none.
-    std::uint64_t changeableBit(int x, int y) const {
-        return !map_->changing.empty() && map_->changing[map_->tileIndex(x, y)] != 0
+    // The tile's bit if what is in that cell may change, else none.
+    std::uint64_t changeableBit(int x, int y, int level) const {
+        return !map_->changing.empty() && level >= 0 && level < map_->levels &&
+                       (map_->changing[map_->tileIndex(x, y)] >> level & 1) != 0
                    ? placeBit(x, y)
                    : 0;
     }
@@ -131,11 +144,35 @@ public:
 
     bool isInOpaque(const LightVector& point);
 
+    // Whether the cell of a point holds no block but that of a face before which it is.
+    bool isOpen(const LightVector& point, const LitFaceAt& before) const {
+        const int x = point[0] >> 16;
+        const int y = point[1] >> 16;
+        const int level = point[2] >> 16;
+        return !map_->isOccupied(x, y, level) || (before.face < LitFace::floor && x == before.x &&
+                                                  y == before.y && level == before.level);
+    }
+    static bool areInOneCell(const LightVector& a, const LightVector& b) {
+        return ((a[0] ^ b[0]) | (a[1] ^ b[1]) | (a[2] ^ b[2])) >> 16 == 0;
+    }
+    // Whether a tile's ceiling may be between two heights.
+    bool isCeilingBetween(std::int32_t a, std::int32_t b) const {
+        const std::int32_t height = map_->ceiling.height.raw;
+        return !map_->ceiling.tiles.empty() && std::min(a, b) <= height && height <= std::max(a, b);
+    }
+
     // What comes through on the way from a point by a vector, 255 for all of it. An endless way
     // goes on until it meets nothing more; it must not fall.
     LightTint through(const LightVector& from, const LightVector& way, bool endless = false);
 
+    // Whether a way meets the block of that blueprint in the cell at 0, 0, 0.
+    bool meets(const LightWay& way, BlueprintId id) const;
+
     std::span<const HungLamp> lampsNear(const LightVector& point) const;
+
+    Look lookOf(BlueprintId id) const { return looks_[id]; }
+    bool hasSky() const { return isBright(map_->baked.ambient); }
+    bool hasSun() const { return isBright(map_->baked.sun); }
 
     const BakedLight& light() const { return map_->baked; }
     const LightVector& sun() const { return sun_; }
@@ -148,28 +185,9 @@ private:
         LightVector low;
         LightVector high;
     };
-    // A moment of a way: num / den of its vector. Of equal ones the one with less `late` is
-    // earlier: samples count as moved by an infinitely small step.
-    struct Moment {
-        std::int64_t num;
-        std::int64_t den;  // 0: never
-        int late;
-    };
-    struct Way;
+    struct Travel;
 
-    static bool isBefore(const Moment& a, const Moment& b) {
-        const std::int64_t left = a.num * b.den;
-        const std::int64_t right = b.num * a.den;
-        return left != right ? left < right : a.late < b.late;
-    }
-    static bool isSame(const Moment& a, const Moment& b) {
-        return a.num * b.den == b.num * a.den && a.late == b.late;
-    }
-    static Moment crossing(std::int32_t from, std::int32_t way, std::int32_t at, int axis) {
-        return way > 0 ? Moment{std::int64_t{at} - from, way, axis - 3}
-                       : Moment{std::int64_t{from} - at, -std::int64_t{way}, 3 - axis};
-    }
-    static CutMoment cutMoment(const Moment& moment);
+    static bool isBright(const Colour& colour) { return (colour.r | colour.g | colour.b) != 0; }
     Extent extentOf(const CellBlueprint& block) const;
     static bool isCut(const CellBlueprint& block) {
         return block.plan.half != Half::none || block.slopes.any();
@@ -181,21 +199,23 @@ private:
     void findChangingTiles();
     std::uint64_t stateOf(int x, int y) const;
     const LightTint& tintOf(TextureId texture);
-    struct Stretch;
-    bool meetTile(Way& way, int x, int y, const Stretch& over);
-    bool meetBlock(Way& way, const CellBlueprint& block, int x, int y, int level,
-                   const Moment& enter, const Moment& leave);
     struct Passage;
-    static bool cutPassage(const Way& way, const CellBlueprint& block, const LightVector& tile,
-                           const Moment& leave, Passage& passage);
-    void leaveBlock(Way& way);
+    bool meetCell(Travel& travel, const LightVector& cell, LightMoment enter, LightMoment leave,
+                  std::size_t axis);
+    bool meetCeiling(Travel& travel, std::size_t tile, LightMoment enter, LightMoment leave) const;
+    bool findBox(const LightWay& way, const CellBlueprint& block, const LightVector& corner,
+                 Passage& passage) const;
+    bool findPassage(const LightWay& way, const CellBlueprint& block, const LightVector& corner,
+                     Passage& passage) const;
+    static bool cutPassage(const LightWay& way, const CellBlueprint& block,
+                           const LightVector& corner, Passage& passage);
+    void leaveBlock(Travel& travel);
 
     const World* world_ = nullptr;
     const Map* map_ = nullptr;
     std::uint64_t edition_ = 0;  // of the map that is known
     BakedLight known_;
     LightVector sun_{};
-    std::int32_t highest_ = 0;  // nothing is above
 
     struct ChangingTile {
         int x;
@@ -211,6 +231,7 @@ private:
         LightTint tint{};
     };
     std::vector<Tint> tints_;  // by TextureId
+    std::vector<Look> looks_;  // by BlueprintId
 
     // The lamps, in lists by squares of kLampSquare tiles.
     static constexpr int kLampSquare = 4;

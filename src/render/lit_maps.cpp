@@ -26,7 +26,7 @@ void LitMap::beginFrame(const World& world, const Map& map) {
 }
 
 void LitMap::forgetAll() {
-    samples_.clear();
+    samples_.forgetAll();
     ++change_;
     records_.clear();
     keys_.clear();
@@ -105,7 +105,7 @@ void LitMap::makeRecord(const LitFaceAt& face, const LitArea& area, Record& reco
     record.odd = 0;
     scene_.clearTouched();
     const FaceNodes nodes = samples_.nodesOf(scene_, face, area);
-    record.touched = scene_.touched() | scene_.changeableBit(face.x, face.y);
+    record.touched = scene_.touched();
     for (int a = 0; a < 3; ++a) {
         for (int b = 0; b < 3; ++b) {
             const Colour node =

@@ -116,7 +116,7 @@ const std::vector<Printing> kPrintings = {
     {SLICECAST_RENDER, {kEveryFeature, "--size", "64x48", "--hits", "3"}},
     {SLICECAST_RENDER, {kEveryFeature, "--size", "64x48", "--trace", "all"}},
     {SLICECAST_RENDER, {"--help"}},
-    {SLICECAST_CHECK, {kEveryFeature}},
+    {SLICECAST_CHECK, {SLICECAST_SOURCE_FOLDER "/assets/scenes/wayhouse-hunt.json"}},
     {SLICECAST_CHECK, {"--help"}},
     {SLICECAST_TEXTURES, {"--list"}},
     {SLICECAST_TEXTURES, {"--help"}},
