@@ -1,5 +1,6 @@
 #include "world/footways.h"
 
+#include "base/sort.h"
 #include "world/player.h"
 #include "world/portal_solids.h"
 #include "world/water.h"
@@ -101,8 +102,7 @@ unsigned sidesOf(const Plan& plan) {
 // The highest feet, at most `feet`, of a body that passes between two heights and between walls.
 std::optional<Coordinate> passage(RoomHeights open, Coordinate feet,
                                   std::vector<RoomHeights>& walls) {
-    std::sort(walls.begin(), walls.end(),
-              [](const RoomHeights& a, const RoomHeights& b) { return a.low < b.low; });
+    mergeSort(walls, [](const RoomHeights& a, const RoomHeights& b) { return a.low < b.low; });
     walls.push_back({open.high, open.high});
     std::optional<Coordinate> found;
     for (const RoomHeights& wall : walls) {
@@ -221,8 +221,7 @@ const Footways::Column& Footways::columnAt(int mapIndex, int x, int y) {
     const Ceiling& ceiling = map.ceiling;
     if (!ceiling.tiles.empty() && ceiling.tiles[tile] != kNoTexture)
         solids.push_back({ceiling.height, ceiling.height});
-    std::sort(solids.begin(), solids.end(),
-              [](const RoomHeights& a, const RoomHeights& b) { return a.low < b.low; });
+    mergeSort(solids, [](const RoomHeights& a, const RoomHeights& b) { return a.low < b.low; });
     solids.push_back({kMaxBodyHeight, kMaxBodyHeight});
     Coordinate ground = {map.isWaterFloor(tile) ? -kFloorWade.raw : 0};
     for (const RoomHeights& solid : solids) {
