@@ -125,6 +125,8 @@ TEST_P(PortalIdentity, APortalToACopyIsNotSeen) {
         Scene scene = randomScene(seed, 96, 60);
         if (!isFit(scene)) continue;
         scene.view.baked = false;  // that light knows no portals
+        // Shares are rounded down, so those of a turned texture are not quite the same
+        if (turn != 0) scene.view.smooth = false;
         ++pictures;
         prepareForTurn(scene.world, turn);
         const Image before = draw(renderer, scene.world, scene.view);
