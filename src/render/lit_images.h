@@ -79,8 +79,8 @@ private:
         }
     };
     // Pixels are allocated in pieces of so many.
-    static constexpr std::size_t kPiece = 65'536;
-    static constexpr std::size_t kLeastKept = 262'144;  // pixels, and images are worth
+    static constexpr std::size_t kPiece = 16'384;
+    static constexpr std::size_t kLeastKept = 32'768;  // pixels, and images are worth
     static constexpr std::size_t kWorth = 16;           // so many pixels each
 
     std::size_t slotOf(std::uint64_t key) const {

@@ -29,7 +29,8 @@ constexpr int kWidth = 40;
 constexpr int kHeight = 24;
 constexpr std::int64_t kStepsPerLeg = 40;      // with one input
 constexpr std::int64_t kLegsPerChange = 60;    // of map, mode or place
-constexpr std::int64_t kMostGrowth = 4 << 10;  // KB, from the first tenth of the frames to the end
+// KB, from the first tenth of the frames to the end; what is known of light grows as maps are seen
+constexpr std::int64_t kMostGrowth = 10 << 10;
 
 std::int64_t memoryInUse() {
     std::ifstream file("/proc/self/status");
