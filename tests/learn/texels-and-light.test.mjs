@@ -96,8 +96,8 @@ test('without levels of detail the distance flickers as much as the text says', 
     }
     return (100 * changed) / all;
   };
-  assert.equal(share('off').toFixed(0), '29');
-  assert.equal(share('on').toFixed(1), '0.6');
+  assert.equal(share('off').toFixed(0), '33');
+  assert.equal(share('on').toFixed(1), '0.4');
 });
 
 test('a row shows the floor at the depth that the figure computes', async (t) => {

@@ -26,8 +26,8 @@ export const shippedTours = readdirSync(join(root, 'assets/tours')).map((name) =
 
 // A new instance, with memory of its own.
 export async function loadModule(flavour) {
-  const { program } = await readEngine(flavour);
-  return createModule(program);
+  const { program, later } = await readEngine(flavour);
+  return createModule(program, { later });
 }
 
 export class Session {

@@ -99,6 +99,7 @@ export async function createModule(
       get:
         (_, place) =>
         (...values) => {
+          if (later === null) throw new Error("the program's later part is missing");
           if (!isComplete) new WebAssembly.Instance(later.readNow(), { primary: exports });
           isComplete = true;
           return exports.__indirect_function_table.get(Number(place))(...values);
