@@ -23,6 +23,22 @@ import { pathToFileURL } from 'node:url';
 
 const kStepsOfAScene = 12; // each shipped scene, before another picture
 const kProfileBytes = 1 << 20;
+const kPlainRoom = {
+  title: 'A plain room',
+  textures: { brick: '../textures/brick.png' },
+  blueprints: { wall: { faces: { all: 'brick' } } },
+  legend: { '#': 'wall' },
+  maps: [
+    {
+      name: 'room',
+      levels: [['####', '#..#', '####']],
+      floor: 'brick',
+      sky: '#88a0b8',
+      light: { on: false },
+    },
+  ],
+  start: { x: 1.5, y: 1.5, heading: 0 },
+};
 
 const [binaryen, web, name, ...features] = process.argv.slice(2);
 const folder = mkdtempSync(join(tmpdir(), 'slicecast-split-'));
@@ -63,14 +79,17 @@ async function profileOf(bytes) {
   const openCanvas = (_, exports) => {
     running.push(exports);
     exports.slicecast_steerByCursor(1);
+    exports.slicecastHidden(0);
+    exports.slicecastBlurred();
     return { show() {}, close() {} };
   };
 
   const files = { program, openCanvas, later: null };
   const engine = await Engine.create({ files, canvas });
-  for (const file of [...scenesIn('scenes'), ...scenesIn('learn/scenes')]) {
-    const faults = await engine.loadScene(openScene(file));
-    if (faults.length > 0) throw new Error(`${file}: ${faults[0].message}`);
+  const scenes = ['scenes', 'learn/scenes'].flatMap(scenesIn);
+  for (const scene of [...scenes, kPlainRoom]) {
+    const faults = await engine.loadScene(openScene(scene, resolve(web, 'scenes')));
+    if (faults.length > 0) throw new Error(`${scene}: ${faults[0].message}`);
     // What the element asks of it before it plays
     engine.paused = true;
     engine.setMouse({ degreesPerPixel: 0.1, invert: false });
@@ -79,6 +98,14 @@ async function profileOf(bytes) {
     engine.begin();
     engine.resize(640, 400);
     frames.at(-1)?.(0);
+    // Scenes of others may show less, and begin elsewhere
+    const names = ['fog', 'baked', 'light', 'textures'];
+    for (const name of names) {
+      engine.setOption(name, 'off');
+      lookAround(engine);
+    }
+    for (const name of names) engine.setOption(name, 'on');
+    lookAround(engine);
     engine.paused = false;
     for (let frame = 0; frame < 8; ++frame) frames.at(-1)?.(16 * frame);
     engine.step({ forward: 1, turn: 0.3, jump: true }, kStepsOfAScene);
@@ -91,6 +118,17 @@ async function profileOf(bytes) {
   twin.stop();
   engine.stop();
   return merged(running.map(takeProfile));
+}
+
+function lookAround(engine) {
+  const before = engine.view;
+  for (const heading of [0, 90, 180, 270]) {
+    for (const look of [-1, 0, 1]) {
+      engine.look({ ...before, heading, look });
+      engine.drawPixels(160, 100);
+    }
+  }
+  engine.look(before);
 }
 
 function scenesIn(folder) {

@@ -81,7 +81,7 @@ private:
     // Pixels are allocated in pieces of so many.
     static constexpr std::size_t kPiece = 16'384;
     static constexpr std::size_t kLeastKept = 32'768;  // pixels, and images are worth
-    static constexpr std::size_t kWorth = 16;           // so many pixels each
+    static constexpr std::size_t kWorth = 16;          // so many pixels each
 
     std::size_t slotOf(std::uint64_t key) const {
         return static_cast<std::size_t>(key * 0x9e3779b97f4a7c15u >> 32) & (images_.size() - 1);

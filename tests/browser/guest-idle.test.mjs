@@ -106,7 +106,7 @@ test('several elements fetch each file once and compile once; each reports its m
   assert.deepEqual(scriptsOf(server), ['ray-caster-steering.js', 'ray-caster.js']);
   const often = server.asked.filter((path, index) => server.asked.indexOf(path) !== index);
   assert.deepEqual(often, []);
-  assert.equal(await page.evaluate(() => window.watch.compiled), 1);
+  assert.equal(await page.evaluate(() => window.watch.compiled), 2, 'the two parts of the program');
   assert.equal(await page.evaluate(() => window.watch.memories.length), kElements);
   const memory = await page.evaluate(() =>
     [...document.querySelectorAll('ray-caster')].map((element) => element.memory),

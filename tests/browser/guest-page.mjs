@@ -109,7 +109,8 @@ export function watchPage() {
     const made = await instantiate(program, imports);
     const { exports } = made.instance ?? made;
     const memory = Object.values(exports).find((value) => value instanceof WebAssembly.Memory);
-    watch.memories.push(new WeakRef(memory));
+    // The program's later part uses that of the first one
+    if (memory !== undefined) watch.memories.push(new WeakRef(memory));
     return made;
   };
 }

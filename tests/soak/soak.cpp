@@ -27,8 +27,8 @@ namespace {
 
 constexpr int kWidth = 40;
 constexpr int kHeight = 24;
-constexpr std::int64_t kStepsPerLeg = 40;      // with one input
-constexpr std::int64_t kLegsPerChange = 60;    // of map, mode or place
+constexpr std::int64_t kStepsPerLeg = 40;    // with one input
+constexpr std::int64_t kLegsPerChange = 60;  // of map, mode or place
 // KB, from the first tenth of the frames to the end; what is known of light grows as maps are seen
 constexpr std::int64_t kMostGrowth = 10 << 10;
 

@@ -137,7 +137,7 @@ export class Loading {
         const keepEye = again?.keepEye === true && key === this.#loaded;
         const source = scene?.source() ?? null;
         this.#load(key, { key, kind: wanted.engine, source, tour, keepEye });
-      } else if (key === this.#loaded) this.#settle();
+      } else if (key === this.#loaded && !this.isLoading) this.#settle();
     } catch (error) {
       this.#failed = null;
       this.#actions.failed(error);

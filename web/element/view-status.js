@@ -42,6 +42,10 @@ export class ViewStatus {
     const { seen, root, canvas } = this.tree;
     const engine = this.engine();
     if (engine === null || canvas === null) return;
+    if (!engine.isComplete) {
+      this.#wait(kRestMilliseconds); // what looks around is in the program's later part
+      return;
+    }
     seen.setAttribute('aria-live', root.activeElement === null ? 'off' : 'polite');
     const text = describeView(engine, canvas.width, canvas.height);
     if (text !== seen.textContent) seen.textContent = text;

@@ -19,6 +19,7 @@ export async function createModule(
 ) {
   const decoder = new TextDecoder();
   const module = {
+    isComplete: later === null,
     // A new view whenever memory has grown.
     get HEAPU8() {
       if (bytes.buffer !== exports.memory.buffer) bytes = new Uint8Array(exports.memory.buffer);
@@ -91,7 +92,6 @@ export async function createModule(
       // No more memory: the engine has what it needs for now.
     }
   };
-  let isComplete = later === null;
   // Stands in for the functions of the later part, by their place in the table of functions.
   const missing = new Proxy(
     {},
@@ -100,8 +100,8 @@ export async function createModule(
         (_, place) =>
         (...values) => {
           if (later === null) throw new Error("the program's later part is missing");
-          if (!isComplete) new WebAssembly.Instance(later.readNow(), { primary: exports });
-          isComplete = true;
+          if (!module.isComplete) new WebAssembly.Instance(later.readNow(), { primary: exports });
+          module.isComplete = true;
           return exports.__indirect_function_table.get(Number(place))(...values);
         },
     },
@@ -114,9 +114,9 @@ export async function createModule(
     placeholder: missing,
   });
   module.complete = async () => {
-    if (isComplete) return;
+    if (module.isComplete) return;
     await WebAssembly.instantiate(later.program, { primary: exports });
-    isComplete = true;
+    module.isComplete = true;
   };
   if (later?.program) await module.complete();
   exports._initialize();

@@ -108,6 +108,11 @@ export class Engine {
     return this.#module._slicecast_adopt() === 1;
   }
 
+  // Whether the whole program is there.
+  get isComplete() {
+    return this.#module.isComplete;
+  }
+
   // Loads the rest of the program, if there is one. Throws a Trouble.
   async complete() {
     await this.#later?.load();
