@@ -21,7 +21,7 @@ TextureLevel levelOf(int bits, Random& random) {
     return level;
 }
 
-FaceNodes anyNodes(Random& random) {
+FaceNodes nodesByChance(Random& random) {
     FaceNodes nodes;
     for (Pixel& node : nodes.nodes) node = static_cast<Pixel>(random.next()) | 0xff000000u;
     return nodes;
@@ -63,7 +63,7 @@ TEST_P(LitTexels, FollowTheFormulaInAllSizes) {
     for (int bits = 0; bits <= 10; ++bits) {
         const TextureLevel level = levelOf(bits, random);
         for (const int shift : {0, 20001, 33333}) {
-            const FaceNodes nodes = anyNodes(random);
+            const FaceNodes nodes = nodesByChance(random);
             const FaceTexels texels(level, face, {shift}, {shift});
             std::vector<Pixel> lit(static_cast<std::size_t>(level.size) + 4);
             for (int u = 0; u < level.size; u += std::max(1, level.size / 7)) {
@@ -98,7 +98,7 @@ struct Images {
     LitImages images;
     Random random{3};
     TextureLevel level = levelOf(6, random);
-    FaceNodes nodes = anyNodes(random);
+    FaceNodes nodes = nodesByChance(random);
 
     const Pixel* make(int tile, LitImages::Source source = {1, 1}, Coordinate shift = {}) {
         return images.make({{tile, 0, 0, LitFace::floor}, level, 0, 0, shift, {}}, nodes, source);
@@ -122,7 +122,7 @@ TEST(LitImages, AreMadeOnceAndAskedForInEachFrame) {
     kept.images.beginFrame();
     EXPECT_EQ(kept.find(5), nullptr) << "its light may have changed";
     const std::vector<Pixel> before(made, made + 4096);
-    kept.nodes = anyNodes(kept.random);
+    kept.nodes = nodesByChance(kept.random);
     EXPECT_EQ(kept.make(5), made);
     EXPECT_TRUE(std::equal(before.begin(), before.end(), made)) << "from the same light";
     kept.images.beginFrame();
