@@ -50,16 +50,16 @@ export function parseView(text, standardLook = 0) {
 export function readView(view) {
   if (typeof view === 'string') return parseView(view, null);
   if (typeof view !== 'object' || view === null)
-    throw misread(`look: found ${view}, expected a view`);
+    throw misread(`look: found ${shown(view)}, expected a view`);
   for (const [name, value] of Object.entries(view)) {
     if ((value ?? null) === null) continue;
     if (Object.hasOwn(kViewLimits, name)) checkNumber('look', name, value);
     else if (name !== 'map')
       throw misread(
-        `look: found ${name} ${value}, expected a view with some of ${Object.keys(kViewLimits).join(', ')}, map`,
+        `look: found ${name} ${shown(value)}, expected a view with some of ${Object.keys(kViewLimits).join(', ')}, map`,
       );
     else if (typeof value !== 'string')
-      throw misread(`look: found map ${value}, expected the name of a map`);
+      throw misread(`look: found map ${shown(value)}, expected the name of a map`);
   }
   return view;
 }
@@ -68,8 +68,17 @@ function checkNumber(what, name, value) {
   const limit = kViewLimits[name];
   if (Number.isFinite(value) && Math.abs(value) <= limit) return;
   throw misread(
-    `${what}: found ${name} ${value}, expected a number${limit === Infinity ? '' : ` from -${limit} to ${limit}`}`,
+    `${what}: found ${name} ${shown(value)}, expected a number${limit === Infinity ? '' : ` from -${limit} to ${limit}`}`,
   );
+}
+
+// Some objects have no text.
+function shown(value) {
+  try {
+    return `${value}`;
+  } catch {
+    return typeof value;
+  }
 }
 
 function misread(message) {
