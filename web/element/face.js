@@ -22,13 +22,13 @@ export class Face {
     this.#internals = internals;
     internals.role = 'group';
     tree.poster.addEventListener('error', () => this.hidePoster());
-    this.#name();
+    this.name();
   }
 
   attributes({ poster, label, interaction }, hasPicture) {
     this.#label = label;
     this.#around = interaction === 'look' ? 'Look around' : 'Move around';
-    this.#name();
+    this.name();
     const image = this.#tree.poster;
     image.hidden = poster === '' || hasPicture;
     if (poster !== '' && image.getAttribute('src') !== poster) image.src = poster;
@@ -41,14 +41,14 @@ export class Face {
   // The scene's title, used if there is no label.
   set title(title) {
     this.#title = title;
-    this.#name();
+    this.name();
   }
 
   state(state) {
     this.#state = state;
     this.#tree.box.dataset.state = state;
     if (state !== 'loading') this.#tree.progress.hidden = true;
-    this.#name();
+    this.name();
   }
 
   progress(share) {
@@ -78,10 +78,11 @@ export class Face {
     this.status('');
     this.noTrouble();
     this.#title = '';
-    this.#name();
+    this.name();
   }
 
-  #name() {
+  // Says what the picture and the cover are called.
+  name() {
     const { cover, canvas, hint } = this.#tree;
     const name = this.#label || this.#title || 'Raycaster';
     const act = this.#state === 'playing' ? this.#around : 'Play';

@@ -585,6 +585,7 @@ export class Show {
     // Tab reaches it only during steering; otherwise the cover.
     canvas.tabIndex = -1;
     canvas.setAttribute('role', 'img');
+    this.#face.name();
     this.#steering?.takeCanvas();
   }
 
