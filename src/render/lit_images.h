@@ -1,5 +1,5 @@
 // Lit texels that are kept from frame to frame: squares of a face's texture, times the face's
-// light. Painting them costs hardly more than painting unlit ones.
+// light. Each is lit once, however often it is painted.
 #pragma once
 
 #include "render/light_scene.h"

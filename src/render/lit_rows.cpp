@@ -70,7 +70,7 @@ U32x4 fourTexels(const Pixel* texels, U32x4 index) {
 // in the square of the first one, and return the first row beyond. They may also read and write the
 // three places behind `last`.
 
-// A square of a level, from LitMap::texelsOf.
+// A square of a level, from litSquare.
 struct PixelSquare {
     const Pixel* texels;
     int levelBits;

@@ -4,7 +4,7 @@ import assert from 'node:assert/strict';
 import { after, before, test } from 'node:test';
 import { shippedScenes } from '../wasm/load.mjs';
 import { launch } from './browser.mjs';
-import { openGuest, ready, until } from './guest-page.mjs';
+import { openGuest, ready, until, wait } from './guest-page.mjs';
 
 const kLater = 'engine/slicecast-simd-later.wasm';
 const names = shippedScenes.map((path) => path.replace(/^.*\/|\.json$/g, ''));
@@ -24,13 +24,14 @@ function isDrawn() {
 }
 
 // A page with one element, and a server that keeps the later part until `release` is called.
-async function openHeld(t, attributes) {
+async function openHeld(t, attributes, prepare) {
   let release;
   const held = new Promise((resolve) => {
     release = resolve;
   });
   const { page, server } = await openGuest(t, browser, {
     body: `<ray-caster loading="eager" ${attributes} style="width: 320px"></ray-caster>`,
+    ...(prepare && { prepare }),
     server: { mayGo: (name) => (name === kLater ? held : undefined) },
   });
   t.signal.addEventListener('abort', release);
@@ -53,11 +54,22 @@ for (const name of names) {
 }
 
 test('a first picture that needs the later part waits for it', async (t) => {
-  const { page, server } = await openGuest(t, browser, {
+  const { page } = await openGuest(t, browser, {
     body: '<ray-caster scene="room" options="method=classic" style="width: 320px"></ray-caster>',
+    prepare: (opened) =>
+      opened.addInitScript(() => {
+        const { open } = XMLHttpRequest.prototype;
+        window.waitedFor = [];
+        XMLHttpRequest.prototype.open = function (method, address, ...more) {
+          window.waitedFor.push(address);
+          return open.call(this, method, address, ...more);
+        };
+      }),
   });
   await ready(page);
-  assert.ok(server.asked.includes(kLater));
+  const waitedFor = await page.evaluate(() => window.waitedFor);
+  assert.equal(waitedFor.length, 1, 'while the page stood still');
+  assert.ok(waitedFor[0].endsWith(kLater), waitedFor[0]);
   assert.ok(await until(page, isDrawn));
 });
 
@@ -69,18 +81,21 @@ test('two elements share both parts', async (t) => {
 });
 
 test('a browser that compiles only while the page goes on gets both parts first', async (t) => {
-  const { page, server } = await openGuest(t, browser, {
-    prepare: (opened) =>
-      opened.addInitScript(() => {
-        const { Module } = WebAssembly;
-        WebAssembly.Module = class extends Module {
-          constructor(bytes) {
-            if (bytes.byteLength > 4096) throw new RangeError('Not on the main thread');
-            super(bytes);
-          }
-        };
-      }),
-  });
+  const { page, server, release } = await openHeld(t, 'scene="room"', (opened) =>
+    opened.addInitScript(() => {
+      const { Module } = WebAssembly;
+      WebAssembly.Module = class extends Module {
+        constructor(bytes) {
+          if (bytes.byteLength > 4096) throw new RangeError('Not on the main thread');
+          super(bytes);
+        }
+      };
+    }),
+  );
+  while (!server.asked.includes(kLater)) await wait(30);
+  await wait(500);
+  assert.equal(await page.evaluate(isDrawn), false, 'nothing before the later part');
+  release();
   await ready(page);
   assert.equal(server.asked.filter((asked) => asked === kLater).length, 1);
 });
