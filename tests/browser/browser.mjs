@@ -86,11 +86,14 @@ export async function openPage(
   const page = await context.newPage();
   page.setDefaultTimeout(kWaitMilliseconds);
   const complaints = [];
+  let isClosing = false; // then what is still loading fails
   page.on('console', (message) => {
-    if (message.type() === 'error') complaints.push(message.text());
+    const isOfClosing = isClosing && /Failed to load resource/.test(message.text());
+    if (message.type() === 'error' && !isOfClosing) complaints.push(message.text());
   });
   page.on('pageerror', (error) => complaints.push(String(error)));
   atEnd(t, async () => {
+    isClosing = true;
     await context.close();
     await server.close();
     return expectErrors ? [] : complaints;

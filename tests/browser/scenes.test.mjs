@@ -201,17 +201,20 @@ test('a scene dropped with its pictures opens', async (t) => {
 
 test('a scene that is dropped while the engine loads opens first', async (t) => {
   let arrive;
+  let isAsked = false;
+  const arrival = new Promise((resolve) => {
+    arrive = resolve;
+  });
   const { page } = await openPage(t, browser, {
     query: '?scene=other&options=fov=90',
     prepare: (newPage) =>
       newPage.route('**/*.wasm', async (route) => {
-        await new Promise((resolve) => {
-          arrive = resolve;
-        });
+        isAsked = true;
+        await arrival; // both parts of the program
         await route.continue();
       }),
   });
-  while (arrive === undefined) await page.waitForTimeout(20);
+  while (!isAsked) await page.waitForTimeout(20);
   await drop(page, {
     ...roomPictures(),
     'dropped.json': JSON.stringify(roomScene({ title: 'Dropped', folder: 'own/' })),
