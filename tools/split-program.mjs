@@ -10,7 +10,9 @@
 
 import { encode } from 'fast-png';
 import { execFileSync } from 'node:child_process';
+import { createHash } from 'node:crypto';
 import {
+  appendFileSync,
   copyFileSync,
   mkdtempSync,
   readFileSync,
@@ -54,10 +56,28 @@ try {
   run('wasm-split', '--instrument', whole, '-o', watched, '--profile-export=write_profile');
   writeFileSync(profile, await profileOf(readFileSync(watched)));
   run('wasm-split', whole, `--profile=${profile}`, '-o1', first, '-o2', later, '--export-prefix=%');
-  for (const part of [first, later]) run('wasm-opt', '-Oz', part, '-o', part);
+  const mark = markOf(readFileSync(whole));
+  for (const part of [first, later]) {
+    run('wasm-opt', '-Oz', part, '-o', part);
+    appendFileSync(part, mark);
+  }
   copyFileSync(first, whole);
 } finally {
   rmSync(folder, { recursive: true });
+}
+
+// A custom section "whole": both parts have the same one, so that a page notices parts of different
+// programs.
+function markOf(bytes) {
+  const name = 'whole';
+  const hash = createHash('sha256').update(bytes).digest().subarray(0, 8);
+  return Uint8Array.of(
+    0,
+    1 + name.length + hash.length,
+    name.length,
+    ...Buffer.from(name),
+    ...hash,
+  );
 }
 
 function run(program, ...values) {

@@ -1,8 +1,10 @@
 // The engine comes in two parts: the first picture needs only the first one.
 
 import assert from 'node:assert/strict';
+import { readFileSync } from 'node:fs';
+import { join } from 'node:path';
 import { after, before, test } from 'node:test';
-import { shippedScenes } from '../wasm/load.mjs';
+import { root, shippedScenes } from '../wasm/load.mjs';
 import { launch } from './browser.mjs';
 import { openGuest, ready, until, wait } from './guest-page.mjs';
 
@@ -114,4 +116,20 @@ test('a later part that is not there is explained', async (t) => {
       }),
   );
   assert.match(message, /slicecast-simd-later\.wasm: the server answers 404/);
+});
+
+test('a later part of another release is not put in', async (t) => {
+  const other = readFileSync(join(root, 'build/web', kLater));
+  other[other.length - 1] ^= 1; // of the section that both parts must have
+  const { page } = await openGuest(t, browser, {
+    server: { files: { [kLater]: other } },
+    expectErrors: true,
+  });
+  const message = await page.evaluate(() =>
+    document
+      .querySelector('ray-caster')
+      .whenReady()
+      .catch(({ message }) => message),
+  );
+  assert.match(message, /two parts are of different releases\. Reload the page/);
 });

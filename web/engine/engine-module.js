@@ -11,6 +11,8 @@
 // `later` has `program`, that part compiled or null, and readNow(), which returns it at once. It is
 // put in by `await module.complete()`, or when one of its functions is called.
 
+import { Trouble } from './trouble.js';
+
 const kPageBytes = 65536;
 
 export async function createModule(
@@ -92,6 +94,14 @@ export async function createModule(
       // No more memory: the engine has what it needs for now.
     }
   };
+  // A browser may have kept the first part of one release, and fetch the later part of the next.
+  const fitting = (part) => {
+    if (wholeOf(part) === wholeOf(program)) return part;
+    throw new Trouble(
+      'The engine could not be loaded',
+      'Its two parts are of different releases. Reload the page.',
+    );
+  };
   // Stands in for the functions of the later part, by their place in the table of functions.
   const missing = new Proxy(
     {},
@@ -100,7 +110,8 @@ export async function createModule(
         (_, place) =>
         (...values) => {
           if (later === null) throw new Error("the program's later part is missing");
-          if (!module.isComplete) new WebAssembly.Instance(later.readNow(), { primary: exports });
+          if (!module.isComplete)
+            new WebAssembly.Instance(fitting(later.readNow()), { primary: exports });
           module.isComplete = true;
           return exports.__indirect_function_table.get(Number(place))(...values);
         },
@@ -115,7 +126,7 @@ export async function createModule(
   });
   module.complete = async () => {
     if (module.isComplete) return;
-    await WebAssembly.instantiate(later.program, { primary: exports });
+    await WebAssembly.instantiate(fitting(later.program), { primary: exports });
     module.isComplete = true;
   };
   if (later?.program) await module.complete();
@@ -127,4 +138,9 @@ export async function createModule(
     drawFrame(time);
   };
   return module;
+}
+
+// Says which program a part was split from.
+function wholeOf(part) {
+  return new Uint8Array(WebAssembly.Module.customSections(part, 'whole')[0]).join();
 }
