@@ -79,6 +79,16 @@ LightColour lightAt(LightScene& scene, const LightVector& at, const Outlook& out
     return light;
 }
 
+// Light above 255 keeps its colour: its largest channel becomes 255, and the others in proportion.
+LightColour held(const LightColour& light) {
+    const std::int64_t most = *std::max_element(light.begin(), light.end());
+    if (most <= 255) return light;
+    const auto part = [&](std::int32_t channel) {
+        return static_cast<std::int32_t>((channel * std::int64_t{255} + most / 2) / most);
+    };
+    return {part(light[0]), part(light[1]), part(light[2])};
+}
+
 // The mean of some samples' light.
 struct Mean {
     LightColour sum{};
@@ -88,8 +98,9 @@ struct Mean {
         for (std::size_t i = 0; i < 3; ++i) sum[i] += light[i];
         ++count;
     }
-    std::int32_t of(std::size_t channel) const {
-        return std::min(255, (sum[channel] + count / 2) / count);
+    LightColour light() const {
+        const auto mean = [&](std::int32_t channel) { return (channel + count / 2) / count; };
+        return held({mean(sum[0]), mean(sum[1]), mean(sum[2])});
     }
 };
 
@@ -118,9 +129,9 @@ FaceNodes LightSamples::ofOutside(const LightScene& scene) {
     const std::array ambients = {baked.ambient.r, baked.ambient.g, baked.ambient.b};
     LightColour light{};
     for (std::size_t i = 0; i < 3; ++i)
-        light[i] = std::min(255, (suns[i] * n * 255 + 32640) / 65280 + ambients[i]);
+        light[i] = (suns[i] * n * 255 + 32640) / 65280 + ambients[i];
     FaceNodes nodes;
-    nodes.nodes.fill(opaque(light));
+    nodes.nodes.fill(opaque(held(light)));
     return nodes;
 }
 
@@ -141,7 +152,8 @@ LightColour LightSamples::ofObject(LightScene& scene, const Object& object) {
         if (all || !scene.isInOpaque(places[i]))
             mean.add(lightAt(scene, places[i], {{}, true}, kTurned[i], {kNotSeen, kNotSeen, 256}));
     }
-    return {inSteps(mean.of(0)), inSteps(mean.of(1)), inSteps(mean.of(2))};
+    const LightColour light = mean.light();
+    return {inSteps(light[0]), inSteps(light[1]), inSteps(light[2])};
 }
 
 LightSamples::Entry& LightSamples::entryOf(LightScene& scene, const LitFaceAt& face) {
@@ -270,8 +282,7 @@ FaceNodes LightSamples::nodesOf(LightScene& scene, const LitFaceAt& face, const 
                     addAll(2 * squareA, 2 * squareA + 1, 2 * squareB, 2 * squareB + 1);
                 if (mean.count == 0) addAll(0, 3, 0, 3);
                 nodes.nodes[FaceNodes::index(squareA, squareB, 1 - highA, 1 - highB)] =
-                    mean.count > 0 ? opaque({mean.of(0), mean.of(1), mean.of(2)})
-                                   : everywhere(scene);
+                    mean.count > 0 ? opaque(mean.light()) : everywhere(scene);
             }
         }
     }

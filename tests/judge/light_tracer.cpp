@@ -8,6 +8,15 @@
 namespace slicecast::judge {
 namespace {
 
+Rgb held(const Rgb& light) {
+    const std::int64_t most = std::max({light[0], light[1], light[2]});
+    Rgb out = light;
+    if (most > 255) {
+        for (int& c : out) c = static_cast<int>((c * std::int64_t{255} + most / 2) / most);
+    }
+    return out;
+}
+
 // A moment of a ray: num / den of its vector, and after it an infinitely small time: the small
 // steps by which samples are moved, each times late / den of its axis.
 struct Moment {
@@ -498,9 +507,9 @@ const LightTracer::Nodes& LightTracer::nodesOf(const LitFace& face) {
                 continue;
             }
             for (const Sample& sample : samples) sum += sample.light[i];
-            light[i] = std::min(255, (sum + n / 2) / n);
+            light[i] = (sum + n / 2) / n;
         }
-        return light;
+        return held(light);
     };
     for (int squareA = 0; squareA < 2; ++squareA) {
         for (int squareB = 0; squareB < 2; ++squareB) {
@@ -594,9 +603,10 @@ Rgb LightTracer::lightOutside() {
     const Rgb ambient = {baked.ambient.r, baked.ambient.g, baked.ambient.b};
     Rgb light{};
     for (std::size_t i = 0; i < 3; ++i) {
-        light[i] = std::min(255, (sun[i] * n * 255 + 32640) / 65280 + ambient[i]);
-        light[i] += light[i] / 128;
+        light[i] = (sun[i] * n * 255 + 32640) / 65280 + ambient[i];
     }
+    light = held(light);
+    for (int& c : light) c += c / 128;
     return light;
 }
 
@@ -621,10 +631,9 @@ Rgb LightTracer::lightOf(const Object& object) {
         for (std::size_t k = 0; k < 3; ++k) sum[k] += light[k];
         ++n;
     }
-    for (int& c : sum) {
-        c = std::min(255, (c + n / 2) / n);
-        c += c / 128;
-    }
+    for (int& c : sum) c = (c + n / 2) / n;
+    sum = held(sum);
+    for (int& c : sum) c += c / 128;
     found->second = sum;
     return sum;
 }

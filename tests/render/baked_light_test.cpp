@@ -157,6 +157,21 @@ TEST(BakedLight, ComesThroughAWindowInItsColour) {
     EXPECT_GT(blue, red + 16 * 10);
 }
 
+TEST(BakedLight, KeepsTheColourOfStrongLight) {
+    Yard yard;
+    BakedLight& light = yard.world.maps[0].baked;
+    light.sun = light.ambient = {0, 0, 0, 255};
+    light.lamps[0].kind = {.colour = {200, 120, 40, 255}, .strength = 6.0};
+    LitMap lit;
+    lit.beginFrame(yard.world, yard.world.maps[0]);
+    const FaceNodes* nodes = lit.nodesOf({4, 4, 0, LitFace::floor});
+    ASSERT_NE(nodes, nullptr);
+    const Colour node = toColour(nodes->nodes[0]);
+    EXPECT_EQ(node.r, 255);
+    EXPECT_NEAR(node.g, 255 * 120 / 200, 2);
+    EXPECT_NEAR(node.b, 255 * 40 / 200, 2);
+}
+
 // Beside the same light, tiles that touch agree where they touch.
 TEST(BakedLight, HasNoStepBetweenTiles) {
     Yard yard;

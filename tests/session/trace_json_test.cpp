@@ -315,6 +315,7 @@ TEST_F(TraceJsonTest, GlassAndObjectsAreLayers) {
 
 // The lamp is opaque, so where it is the last layer its own texels are seen.
 TEST_F(TraceJsonTest, AnObjectsTexelsEqualThePictures) {
+    set("baked", "off");
     set("light", "off");
     set("fog", "off");
     const std::vector<Pixel> pixels = picture();

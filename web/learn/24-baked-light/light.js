@@ -66,6 +66,13 @@ export function boxesOf(scene) {
   );
 }
 
+// Light above 255 keeps its colour: the largest channel becomes 255, the others in proportion.
+export function held(light) {
+  const most = Math.max(...light);
+  if (most <= 255) return light;
+  return light.map((c) => Math.floor((c * 255 + Math.floor(most / 2)) / most));
+}
+
 export class Light {
   #boxes;
   #cells = new Map();
@@ -155,10 +162,10 @@ export class Light {
   // Of the floor outside the grid.
   get outside() {
     const n = Math.floor((256 * this.sun[2]) / Math.hypot(...this.sun) + 0.5);
-    return this.sunColour.map((c, i) => {
-      const sum = Math.min(255, Math.floor((c * n * 255 + 32640) / 65280) + this.ambient[i]);
-      return sum + (sum >> 7);
-    });
+    const sum = this.sunColour.map(
+      (c, i) => Math.floor((c * n * 255 + 32640) / 65280) + this.ambient[i],
+    );
+    return held(sum).map((c) => c + (c >> 7));
   }
 
   // ---- a sample's light
@@ -297,10 +304,11 @@ export class Light {
       () => all([0, 0], 2 * this.#squares),
     ].reduce((list, next) => (list.length > 0 ? list : next()), []);
     if (found.length === 0) return [0, 0, 0];
-    return [0, 1, 2].map((c) => {
+    const mean = [0, 1, 2].map((c) => {
       const sum = found.reduce((total, { light }) => total + light[c], 0);
-      return Math.min(255, Math.floor((sum + Math.floor(found.length / 2)) / found.length));
+      return Math.floor((sum + Math.floor(found.length / 2)) / found.length);
     });
+    return held(mean);
   }
 
   // Which of four quarters are linked to one of them, directly or through others.

@@ -13,7 +13,7 @@ import {
   picture,
   swatch,
 } from '../figures/kit.js';
-import { boxesOf, kUnit, Light } from './light.js';
+import { boxesOf, held, kUnit, Light } from './light.js';
 
 const kLift = 16 / kUnit;
 const kReach = 3; // units that rays to the sky are long
@@ -107,7 +107,7 @@ function handles(now, size) {
   ];
 }
 
-const colour = (channels) => hex(channels.map((channel) => Math.min(255, channel)));
+const colour = (channels) => hex(held(channels));
 const written = (channels) => channels.join(', ');
 
 function sum(now) {

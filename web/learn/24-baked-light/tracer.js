@@ -2,7 +2,7 @@
 // ways to light.
 
 import { distanceOf, rayOf } from '../figures/kit.js';
-import { boxesOf, kUnit, Light } from './light.js';
+import { boxesOf, held, kUnit, Light } from './light.js';
 
 const kSideAxis = { north: 0, south: 0, west: 1, east: 1 };
 
@@ -135,8 +135,8 @@ export const bySunRays = (light, lift) => (face, place, pointOf) => {
   );
   const share = Math.max(0, (sign * light.sun[normal]) / Math.hypot(...light.sun));
   const isFree = at[2] >= 0 && light.meets(at, light.sun, Infinity) === Infinity;
-  return light.sunColour.map((c, i) => {
-    const sum = Math.min(255, Math.floor(light.ambient[i] + (isFree ? c * share : 0) + 0.5));
-    return sum + (sum >> 7);
-  });
+  const sum = light.sunColour.map((c, i) =>
+    Math.floor(light.ambient[i] + (isFree ? c * share : 0) + 0.5),
+  );
+  return held(sum).map((c) => c + (c >> 7));
 };
