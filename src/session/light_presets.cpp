@@ -178,7 +178,9 @@ void MapLights::apply(const LightWishes& wishes, std::vector<Map>& maps) {
         if (preset == nullptr) continue;
         if (clouds_ == nullptr) clouds_ = makeCloudCover(0, 1.0);
         map.sky = skyOf(*preset, own.sky, map.baked, clouds_);
-        if (wishes.preset == LightPreset::fog) map.sky.low = map.sky.high = map.haze;
+        // A sky in the colour of the haze hides where the last portal ends.
+        const bool isHaze = own.sky.kind == Sky::Kind::colour && own.sky.low == own.haze;
+        if (wishes.preset == LightPreset::fog || isHaze) map.sky.low = map.sky.high = map.haze;
     }
     applied_ = wishes.preset;
 }

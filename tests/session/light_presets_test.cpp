@@ -110,6 +110,18 @@ TEST(LightPresets, ShowWhatStandsInTheSkyWhereThereIsOne) {
     EXPECT_FALSE(maps[1].sky.hasLayers());
 }
 
+TEST(LightPresets, KeepASkyInTheColourOfTheHaze) {
+    std::vector<Map> maps = twoMaps();
+    maps[0].sky.low = maps[0].haze;
+    MapLights lights(maps);
+    for (const LightPreset preset : {LightPreset::day, LightPreset::dusk, LightPreset::night}) {
+        lights.apply({.preset = preset}, maps);
+        EXPECT_EQ(maps[0].sky.low, maps[0].haze);
+        EXPECT_EQ(maps[0].sky.high, maps[0].haze);
+        EXPECT_NE(maps[1].sky.high, maps[1].haze);
+    }
+}
+
 TEST(LightPresets, RestoreEachMapsOwn) {
     std::vector<Map> maps = twoMaps();
     const Pixel* panorama = maps[1].sky.panorama.pixels.data();
