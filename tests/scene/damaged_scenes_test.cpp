@@ -138,7 +138,7 @@ TEST_F(DamagedScenes, GiveAWorldOrFaults) {
 }
 
 TEST_F(DamagedScenes, MayNameDamagedImages) {
-    constexpr int kScenes = 2000;
+    constexpr int kScenes = 300;
     Random random(21);
     int worlds = 0;
     for (int i = 0; i < kScenes; ++i) {
