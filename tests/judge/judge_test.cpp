@@ -225,7 +225,7 @@ TEST(Judge, SmallPictures) {
 }
 
 TEST(Judge, FullSizePictures) {
-    const Verdict verdict = judgeAll(randomScene, 100'000, 24 / kShare, kLargeSizes);
+    const Verdict verdict = judgeAll(randomScene, 100'000, 20 / kShare, kLargeSizes);
     report("full-size pictures", verdict);
     expectWithinBounds(verdict);
     EXPECT_GE(verdict.pixels * kShare, 10'000'000);
