@@ -130,7 +130,9 @@ void LightFans::makeKind(const LightScene& scene, Kind& kind) {
     const Map& map = scene.map();
     constexpr std::int32_t kSkyReach = 7;  // levels; a way rises or falls by less than 6 units
     Maker sky(-kSkyReach, kSkyReach);
-    Maker sun(-1, map.levels + 1);
+    // A slope that has moved meets the beginning of its tile up to a level below its cell.
+    const std::int32_t highest = map.levels + 1;
+    Maker sun(-1, highest + 1);
     for (std::size_t quarter = 0; quarter < kQuarters; ++quarter) {
         LightVector at{};
         if (!findSample(kind.area, quarter, at)) continue;
@@ -145,7 +147,7 @@ void LightFans::makeKind(const LightScene& scene, Kind& kind) {
         const LightWay toSun(at, scene.sun(), true);
         toSun.eachCell([&](const LightVector& cell, LightMoment, std::size_t) {
             sun.add(cell, quarter);
-            return cell[2] <= map.levels && std::abs(cell[0]) <= map.width &&
+            return cell[2] <= highest && std::abs(cell[0]) <= map.width &&
                    std::abs(cell[1]) <= map.depth;
         });
     }

@@ -82,5 +82,17 @@ TEST(LightNodes, AreThoseOfTheDefinition) {
     EXPECT_GT(counts.rising, kFacesCompared / 60);
 }
 
+// A slope that has moved far, low in a map with a see-through ceiling: the plane through it meets
+// the beginning of its tile in the cell below.
+TEST(LightNodes, AreThoseOfTheDefinitionWhereASlopeHasMoved) {
+    const Scene scene = randomScene(3408, 160, 100);
+    Counts counts;
+    for (const Map& map : scene.world.maps) {
+        if (map.baked.on) compareMap(scene.world, map, counts);
+    }
+    EXPECT_GT(counts.rising, 0);
+    EXPECT_EQ(counts.wrong, 0);
+}
+
 }  // namespace
 }  // namespace slicecast::judge
