@@ -21,7 +21,9 @@ PlainWalk::Rows PlainWalk::joinedRows(const Block& block, const CellBlueprint& n
 // The same behind a portal, where no block joins that has slopes or fills only a part of its tile.
 PlainWalk::Rows PlainWalk::joinedBeyond(const Block& block, const CellBlueprint& neighbour,
                                         const Crossing& border) const {
-    return block.blueprint->isBox() ? joinedRows(block, neighbour, here(), border) : Rows{0, 0};
+    return block.blueprint->isBox() && neighbour.isBox()
+               ? joinedRows(block, neighbour, here(), border)
+               : Rows{0, 0};
 }
 
 // The block that rays have left; it may be in front of the portal that they came through.
@@ -71,14 +73,16 @@ bool PlainWalk::joinsLevel(const Block& block, int up, bool leaving) const {
     };
     if (!reaches(own, up)) return false;
     const int level = block.level + up;
-    const bool isBox = own.isBox();  // others join nothing through portals
-    if (isWhereItCameOut(block, up)) return isBox && joins(cellBeforePortal(level));
+    const auto joinsBeyond = [&](const CellBlueprint& other) {
+        return own.isBox() && other.isBox() && joins(other);
+    };
+    if (isWhereItCameOut(block, up)) return joinsBeyond(cellBeforePortal(level));
     const CellBlueprint& next = cell(map(), {walk_.tileX, walk_.tileY}, level);
     if (level < 0 || level >= map().levels || (there_ >> level & 1) == 0) return false;
     if (areOneMover(own, next) && goesOn(next, -up)) return true;
     if (!reaches(next, -up)) return false;
     const PortalId portal = next.face(up > 0 ? Face::bottom : Face::top).portal;
-    if (leaving && portal != kNoPortal && mayPass()) return isBox && joins(exitCell(portal, level));
+    if (leaving && portal != kNoPortal && mayPass()) return joinsBeyond(exitCell(portal, level));
     return joins(next);
 }
 

@@ -25,11 +25,12 @@ const CellBlueprint* SliceWalk::joinedAt(const Block& block, const Map& map, int
     return areJoined(*frame_.world, *block.blueprint, neighbour) ? &neighbour : nullptr;
 }
 
-// The same behind a portal, through which no block joins that has slopes or fills only a part of
-// its tile.
+// The same behind a portal, through which neither of two blocks joins if one has slopes or fills
+// only a part of its tile.
 const CellBlueprint* SliceWalk::joinedBeyond(const Block& block, const Map& map, int x, int y,
                                              int level) const {
-    return block.blueprint->isBox() ? joinedAt(block, map, x, y, level) : nullptr;
+    const CellBlueprint* const joined = joinedAt(block, map, x, y, level);
+    return joined != nullptr && joined->isBox() && block.blueprint->isBox() ? joined : nullptr;
 }
 
 // The block in the tile before that joins `block`.
@@ -75,11 +76,14 @@ bool SliceWalk::joinsNext(const Block& block, int up, bool leaving) const {
         const CellBlueprint* const next = joinedAt(block, map, x, y, level);
         return next != nullptr && reachesEnd(*next, -up);
     };
+    const auto joinsBeyond = [&](const Map& map, int x, int y, int beyond) {
+        const CellBlueprint* const next = joinedBeyond(block, map, x, y, beyond);
+        return next != nullptr && reachesEnd(*next, -up);
+    };
     const int level = block.level + up;
-    const bool isBox = block.blueprint->isBox();  // others join nothing through portals
     if (clipped_ && (up > 0 ? block.top == clip_.high : block.bottom == clip_.low))
-        return isBox && isArrival() &&
-               joins(*before_.map, before_.x, before_.y, level - before_.levels);
+        return isArrival() &&
+               joinsBeyond(*before_.map, before_.x, before_.y, level - before_.levels);
     if (isAbsent(level)) return false;
     const CellBlueprint& next =
         frame_.world->blueprints[map_->cell(walk_.tileX, walk_.tileY, level)];
@@ -87,8 +91,8 @@ bool SliceWalk::joinsNext(const Block& block, int up, bool leaving) const {
         reachesEnd(next, -up) ? next.face(up > 0 ? Face::bottom : Face::top).portal : kNoPortal;
     if (!leaving || !acts(portal, false)) return joins(*map_, walk_.tileX, walk_.tileY, level);
     const Portal& to = frame_.world->portals[portal];
-    return isBox && joins(frame_.world->maps[static_cast<std::size_t>(to.toMap)], to.toX, to.toY,
-                          level + to.levels);
+    return joinsBeyond(frame_.world->maps[static_cast<std::size_t>(to.toMap)], to.toX, to.toY,
+                       level + to.levels);
 }
 
 // Draws a side at a border, except where it touches a joined block.
