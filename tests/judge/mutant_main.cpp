@@ -29,6 +29,8 @@ int main(int argc, char** argv) {
                             kSmallSizes));
         random.add(judgeAll(wideLandScene, static_cast<std::uint64_t>(1 + batch * kBatch),
                             kBatch / 4, kSmallSizes));
+        // Of these, seed 1525 (batch 76) is wrong in the sound renderer too, by 5 pixels at a
+        // texel's border. What is noticed only there has not been noticed.
         along.add(judgeAll(alongBorderScene, static_cast<std::uint64_t>(1 + batch * kBatch),
                            kBatch / 4, kOddSizes));
         ties.add(judgeAll(tieScene, static_cast<std::uint64_t>(1 + batch * kBatch), kBatch,
