@@ -18,7 +18,7 @@ PlainWalk::Rows PlainWalk::joinedRows(const Block& block, const CellBlueprint& n
             endRow(neighbour, Face::bottom, tile, block.level, border)};
 }
 
-// The same behind a portal, where no block joins that has slopes or fills only a part of its tile.
+// The same behind a portal, where two blocks join only if both fill their tiles and have no slopes.
 PlainWalk::Rows PlainWalk::joinedBeyond(const Block& block, const CellBlueprint& neighbour,
                                         const Crossing& border) const {
     return block.blueprint->isBox() && neighbour.isBox()

@@ -25,8 +25,8 @@ const CellBlueprint* SliceWalk::joinedAt(const Block& block, const Map& map, int
     return areJoined(*frame_.world, *block.blueprint, neighbour) ? &neighbour : nullptr;
 }
 
-// The same behind a portal, through which neither of two blocks joins if one has slopes or fills
-// only a part of its tile.
+// The same behind a portal, through which two blocks join only if both fill their tiles and have no
+// slopes.
 const CellBlueprint* SliceWalk::joinedBeyond(const Block& block, const Map& map, int x, int y,
                                              int level) const {
     const CellBlueprint* const joined = joinedAt(block, map, x, y, level);
@@ -72,27 +72,23 @@ bool SliceWalk::goesOn(const Block& block, int up) const {
 bool SliceWalk::joinsNext(const Block& block, int up, bool leaving) const {
     if (goesOn(block, up)) return true;
     if (!reachesEnd(*block.blueprint, up) || !block.blueprint->join) return false;
-    const auto joins = [&](const Map& map, int x, int y, int level) {
-        const CellBlueprint* const next = joinedAt(block, map, x, y, level);
-        return next != nullptr && reachesEnd(*next, -up);
-    };
-    const auto joinsBeyond = [&](const Map& map, int x, int y, int beyond) {
-        const CellBlueprint* const next = joinedBeyond(block, map, x, y, beyond);
-        return next != nullptr && reachesEnd(*next, -up);
+    const auto touches = [&](const CellBlueprint* joined) {
+        return joined != nullptr && reachesEnd(*joined, -up);
     };
     const int level = block.level + up;
     if (clipped_ && (up > 0 ? block.top == clip_.high : block.bottom == clip_.low))
-        return isArrival() &&
-               joinsBeyond(*before_.map, before_.x, before_.y, level - before_.levels);
+        return isArrival() && touches(joinedBeyond(block, *before_.map, before_.x, before_.y,
+                                                   level - before_.levels));
     if (isAbsent(level)) return false;
     const CellBlueprint& next =
         frame_.world->blueprints[map_->cell(walk_.tileX, walk_.tileY, level)];
     const PortalId portal =
         reachesEnd(next, -up) ? next.face(up > 0 ? Face::bottom : Face::top).portal : kNoPortal;
-    if (!leaving || !acts(portal, false)) return joins(*map_, walk_.tileX, walk_.tileY, level);
+    if (!leaving || !acts(portal, false))
+        return touches(joinedAt(block, *map_, walk_.tileX, walk_.tileY, level));
     const Portal& to = frame_.world->portals[portal];
-    return joinsBeyond(frame_.world->maps[static_cast<std::size_t>(to.toMap)], to.toX, to.toY,
-                       level + to.levels);
+    return touches(joinedBeyond(block, frame_.world->maps[static_cast<std::size_t>(to.toMap)],
+                                to.toX, to.toY, level + to.levels));
 }
 
 // Draws a side at a border, except where it touches a joined block.
