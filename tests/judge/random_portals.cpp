@@ -291,6 +291,18 @@ void addSliders(Random& random, World& world, bool coarse) {
     markPlans(world);
 }
 
+bool isExitFromLevelFace(const World& world, int map, int x, int y) {
+    const auto leadsHere = [&](PortalId id) {
+        if (id == kNoPortal) return false;
+        const Portal& portal = world.portals[id];
+        return portal.toMap == map && portal.toX == x && portal.toY == y;
+    };
+    return std::any_of(world.blueprints.begin(), world.blueprints.end(), [&](const auto& block) {
+        return leadsHere(block.face(Face::top).portal) ||
+               leadsHere(block.face(Face::bottom).portal);
+    });
+}
+
 namespace {
 
 // Whether rays come out of a roof or an underside in the tile, or its ceiling is between two
@@ -298,17 +310,8 @@ namespace {
 bool isTileTaken(const World& world, int mapIndex, const Cell& cell, Coordinate low,
                  Coordinate high) {
     const Map& map = world.maps[static_cast<std::size_t>(mapIndex)];
-    if (!map.ceiling.tiles.empty() && map.ceiling.height > low && map.ceiling.height < high)
-        return true;
-    for (const CellBlueprint& block : world.blueprints) {
-        for (const Face face : {Face::top, Face::bottom}) {
-            if (block.face(face).portal == kNoPortal) continue;
-            const Portal& portal = world.portals[block.face(face).portal];
-            if (portal.toMap == mapIndex && portal.toX == cell.x && portal.toY == cell.y)
-                return true;
-        }
-    }
-    return false;
+    return isExitFromLevelFace(world, mapIndex, cell.x, cell.y) ||
+           (!map.ceiling.tiles.empty() && map.ceiling.height > low && map.ceiling.height < high);
 }
 
 // A shape of slopes, over its whole plan.

@@ -12,6 +12,9 @@ namespace slicecast::judge {
 // world whose maps and blueprints are complete.
 void addPortals(Random& random, World& world);
 
+// Whether a portal in a roof or an underside leads to a tile of a map.
+bool isExitFromLevelFace(const World& world, int map, int x, int y);
+
 // Mirrors of any strength on floors and roofs.
 void addMirrors(Random& random, World& world);
 

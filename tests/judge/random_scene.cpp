@@ -348,7 +348,8 @@ void goOn(Random& random, World& world) {
         const int alongY = isHalf ? (isCutFalling(block.plan.half) ? 1 : -1) : 0;
         constexpr int kAhead[4][2] = {{0, -1}, {1, 0}, {0, 1}, {-1, 0}};
         for (int tries = 0; tries < 12; ++tries) {
-            Map& map = world.maps[random.below(static_cast<int>(world.maps.size()))];
+            const int mapIndex = random.below(static_cast<int>(world.maps.size()));
+            Map& map = world.maps[static_cast<std::size_t>(mapIndex)];
             const int x = random.below(map.width);
             const int y = random.below(map.depth);
             const int level = random.below(map.levels);
@@ -363,6 +364,7 @@ void goOn(Random& random, World& world) {
                     if (!map.contains(atX, atY) || atLevel >= map.levels) continue;
                     if (!map.ceiling.tiles.empty() && map.ceiling.height.tile() == atLevel)
                         continue;
+                    if (!isHalf && isExitFromLevelFace(world, mapIndex, atX, atY)) continue;
                     if (isLevel[map.cell(atX, atY, atLevel)]) continue;
                     map.setCell(atX, atY, atLevel, static_cast<BlueprintId>(i));
                 }
@@ -543,7 +545,8 @@ void turnAlongCut(Random& random, Scene& scene, bool isFalling) {
         Half half = static_cast<Half>(random.between(0, 4));
         if (isCutFalling(half) != isFalling) half = Half::none;
         if (blocks[i].origin == kEmptyCell) blocks[i].plan.half = half;
-        if (blocks[i].isWater || blocks[i].hasPortals) blocks[i].plan = {};
+        if (blocks[i].isWater || blocks[i].hasPortals || blocks[i].slopes.any())
+            blocks[i].plan = {};
     }
     markPlans(scene.world);
     View& view = scene.view;
