@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <array>
+#include <cmath>
 #include <cstdlib>
 #include <iterator>
 
@@ -92,12 +93,29 @@ bool sameKinds(const std::vector<Sight>& a, const std::vector<Sight>& b) {
     });
 }
 
+// A fraction of a texture that lies just before a texel's border, moved onto it.
+double onBorder(double fraction) {
+    constexpr double kBefore = 1.0 / 4294967296.0;
+    const double moved = std::fabs(fraction) + kBefore;
+    return moved < 1.0 ? std::copysign(moved, fraction) : fraction;
+}
+
+// A point just before the border of a texel may count as on it.
+void addChoicesOnBorders(const Tracer& tracer, std::vector<Sight> sights, Choices& choices) {
+    for (Sight& sight : sights) sight.u = onBorder(sight.u);
+    addChoices(tracer, sights, choices);
+    for (Sight& sight : sights) sight.v = onBorder(sight.v);
+    addChoices(tracer, sights, choices);
+}
+
 // Where layers blend, each may take its texel from another of the points, if that point's ray meets
 // the same kinds of layer in the same order.
 bool excusable(const Tracer& tracer, double x, double y, const std::vector<Sight>& sights,
                Colour found) {
     Choices all;
     addChoices(tracer, sights, all);
+    addChoicesOnBorders(tracer, sights, all);
+    if (canShow(all, found)) return true;
     std::vector<Sight> around;
     for (const double radius : kRadii) {
         for (const auto& direction : kDirections) {
