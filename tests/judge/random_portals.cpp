@@ -213,6 +213,36 @@ void changeMovers(Random& random, World& world) {
     }
 }
 
+void addUneven(Random& random, World& world, bool coarse) {
+    const auto height = [&] {
+        return coarse ? random.between(0, 8) * 8192 : random.between(0, 65536);
+    };
+    for (Map& map : world.maps) {
+        for (int i = random.between(4, 24); i > 0; --i) {
+            const Cell cell = anyCell(random, map);
+            const BlueprintId shape = map.cell(cell.x, cell.y, cell.level);
+            const bool alongX = random.oneIn(2);
+            const int step = random.oneIn(2) ? 1 : -1;
+            const Cell at = {cell.x + (alongX ? step : 0), cell.y + (alongX ? 0 : step),
+                             cell.level};
+            const int low = height();
+            const int high = height();
+            if (low == high || !map.contains(at.x, at.y)) continue;
+            const CellBlueprint& block = world.blueprints[shape];
+            const CellBlueprint& there = world.blueprints[map.cell(at.x, at.y, at.level)];
+            if (!block.seeThrough || !block.join || block.isWater || block.hasPortals ||
+                block.mover >= 0 || there.hasPortals || there.mover >= 0)
+                continue;
+            const BlueprintId id = addInstance(world, shape);
+            CellBlueprint& part = world.blueprints[id];
+            part.mover = 20000 + static_cast<int>(id);
+            part.bottom = {std::min(low, high)};
+            part.top = {std::max(low, high)};
+            map.setCell(at.x, at.y, at.level, id);
+        }
+    }
+}
+
 namespace {
 
 // One row of cells along an axis from a place on, in which a block of that shape reaches from `low`

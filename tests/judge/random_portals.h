@@ -28,6 +28,10 @@ void addKin(Random& random, World& world);
 // Some of what moves does not join, and most has carried its textures up.
 void changeMovers(Random& random, World& world);
 
+// Beside see-through blocks, others of the same blueprint that move, and now reach from and up to
+// other heights.
+void addUneven(Random& random, World& world, bool coarse);
+
 // Blocks as those that move along x or y are at some moment: rows, on a level or two, that stand
 // between tiles. In the place of blocks without portals.
 void addSliders(Random& random, World& world, bool coarse);

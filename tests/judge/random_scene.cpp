@@ -5,6 +5,7 @@
 #include "random_portals.h"
 
 #include <algorithm>
+#include <cmath>
 #include <string>
 #include <utility>
 
@@ -550,7 +551,10 @@ void turnAlongCut(Random& random, Scene& scene, bool isFalling) {
     }
     markPlans(scene.world);
     View& view = scene.view;
-    view.headingDegrees += 45.0;
+    // Off by so little that rounding decides at the corners, at some and not at others
+    view.headingDegrees = std::floor(view.headingDegrees + 0.5) + 45.0;
+    const double step = std::nextafter(view.headingDegrees, 400.0) - view.headingDegrees;
+    view.headingDegrees += random.between(-2, 2) * step;
     const int x = view.x.raw & 0xffff;
     view.y = {tileEdge(view.y.tile()).raw + (isFalling ? x : (65536 - x) & 0xffff)};
 }
@@ -600,6 +604,8 @@ Scene randomScene(std::uint64_t seed, int width, int height) {
     Random more(seed ^ 0x6d6f7265u);
     addKin(more, scene.world);
     changeMovers(more, scene.world);
+    Random uneven(seed ^ 0x756e6576u);
+    if (uneven.oneIn(4)) addUneven(uneven, scene.world, uneven.oneIn(2));
     Random sliders(seed ^ 0x736c6964u);
     if (sliders.oneIn(4)) addSliders(sliders, scene.world, sliders.oneIn(2));
     Random slopes(seed ^ 0x736c6f70u);
@@ -640,6 +646,8 @@ Scene tieScene(std::uint64_t seed, int width, int height) {
     Random more(seed ^ 0x6d6f7265u);
     addKin(more, scene.world);
     changeMovers(more, scene.world);
+    Random uneven(seed ^ 0x756e6576u);
+    if (uneven.oneIn(3)) addUneven(uneven, scene.world, true);
     Random sliders(seed ^ 0x736c6964u);
     if (sliders.oneIn(3)) addSliders(sliders, scene.world, true);
     Random slopes(seed ^ 0x736c6f70u);
