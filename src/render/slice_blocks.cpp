@@ -128,11 +128,12 @@ void SliceWalk::meetRising(std::uint32_t levels, TextureId ceilingTexture) {
         block.cut |= std::exchange(inside, false);
         if (isBeyondLayers(block)) continue;
         if (block.blueprint->slopes.any()) {
-            if (block.bottom <= 0) continue;  // met as falling
-            ceilingBelow(block.bottom);
-            const MetSlopes met = enterSlopes(block);
-            ceilingBelow(block.bottom + 1);
-            passSlopes(block, met);
+            if (block.bottom > 0) {  // else it was met as falling
+                ceilingBelow(block.bottom);
+                const MetSlopes met = enterSlopes(block);
+                ceilingBelow(block.bottom + 1);
+                passSlopes(block, met);
+            }
             inside = !block.blueprint->seeThrough && goesOn(block, 1);
             edge = -kHighest;
             continue;

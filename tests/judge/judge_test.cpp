@@ -266,7 +266,8 @@ TEST(Judge, PicturesOfLargeTextures) {
 }
 
 // Each was wrong once: light beside a slope that had moved; a face left out behind a portal,
-// because the block before it would have joined if it filled its tile.
+// because the block before it would have joined if it filled its tile; for an eye within a sloped
+// block, the underside of the next part of the same mover.
 TEST(Judge, PicturesThatWereWrongOnce) {
     Verdict verdict = judgeAll(randomScene, 3408, 1, kSmallSizes);
     for (const std::uint64_t seed : {9702, 13108})
