@@ -31,7 +31,7 @@ std::string whyNotRegular(const fs::path& path) {
         case fs::file_type::regular:
             return {};
         case fs::file_type::not_found:
-            return "does not exist";
+            return kNoSuchFile;
         case fs::file_type::directory:
             return "is a folder";
         case fs::file_type::none:

@@ -23,6 +23,9 @@ struct ReadFile {
     }
 };
 
+// ReadFile::fault where there is nothing of that name.
+inline constexpr const char* kNoSuchFile = "does not exist";
+
 // Opens regular files and links to them only: a pipe could block forever. Checks the size before
 // reading and keeps at most `maxBytes` in memory.
 ReadFile readWholeFile(const std::filesystem::path& path, std::uintmax_t maxBytes);

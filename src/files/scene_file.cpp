@@ -2,10 +2,14 @@
 
 #include "files/read_file.h"
 #include "scene/limits.h"
+#include "scene/names.h"
 
+#include <algorithm>
 #include <map>
 #include <string>
+#include <system_error>
 #include <utility>
+#include <vector>
 
 namespace slicecast {
 namespace {
@@ -31,6 +35,20 @@ void addReasons(std::vector<Fault>& faults, const std::map<std::string, std::str
     }
 }
 
+// What else the folder of a file that does not exist holds: a name that was probably meant, in
+// words to put behind a message.
+std::string nearestFile(const std::filesystem::path& missing) {
+    constexpr std::size_t kMost = 4096;
+    std::vector<std::string> names;
+    std::error_code error;
+    std::filesystem::directory_iterator files(missing.parent_path(), error);
+    for (; !error && names.size() < kMost && files != std::filesystem::directory_iterator();
+         files.increment(error))
+        names.push_back(files->path().filename().string());
+    std::sort(names.begin(), names.end());
+    return suggestion(missing.filename().string(), {names.begin(), names.end()});
+}
+
 }  // namespace
 
 ReadImages readImages(const ParsedScene& scene, const std::filesystem::path& folder) {
@@ -40,7 +58,9 @@ ReadImages readImages(const ParsedScene& scene, const std::filesystem::path& fol
         if (file.fault.empty()) {
             images.files.emplace(name, std::move(file.bytes));
         } else {
-            images.unread.emplace(name, std::move(file.fault));
+            const std::string nearest =
+                file.fault == kNoSuchFile ? nearestFile(folder / pathOf(name)) : "";
+            images.unread.emplace(name, file.fault + nearest);
         }
     }
     return images;

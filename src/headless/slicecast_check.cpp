@@ -1,11 +1,13 @@
 // slicecast-check: prints all faults of scenes, and warnings about probable mistakes.
 
+#include "base/words.h"
 #include "files/scene_file.h"
 #include "files/write_file.h"
 #include "scene/unreached.h"
 
 #include <CLI/CLI.hpp>
 
+#include <cstdint>
 #include <cstdio>
 #include <string>
 #include <vector>
@@ -19,7 +21,8 @@ int main(int argc, char** argv) {
     std::vector<std::string> scenes;
     cli.add_option("SCENE", scenes, "scene files")->required();
     cli.footer(
-        "Prints a line \"FILE: ok\", or one line for each fault: FILE:LINE:COLUMN (JSON POINTER): "
+        "Prints a line \"FILE: ok\", with the number of warnings if there are any, or one line for "
+        "each fault: FILE:LINE:COLUMN (JSON POINTER): "
         "found ..., expected ...\n"
         "Warnings go to the standard error in the same form; a scene that has only warnings is "
         "ok.\n"
@@ -38,12 +41,16 @@ int main(int argc, char** argv) {
     for (const std::string& name : scenes) {
         const LoadedScene scene = readSceneFile(name);
         for (const Fault& fault : scene.faults) std::printf("%s\n", describe(fault).c_str());
+        std::int64_t count = 0;
         for (const std::vector<Fault>& warnings : {scene.warnings, findUnreached(scene)}) {
-            for (const Fault& warning : warnings)
+            for (const Fault& warning : warnings) {
                 std::fprintf(stderr, "warning: %s\n", describe(warning).c_str());
+                ++count;
+            }
         }
         if (scene.world) {
-            std::printf("%s: ok\n", name.c_str());
+            std::printf("%s: ok%s\n", name.c_str(),
+                        count == 0 ? "" : words(", ", Counted{count, "warning"}).c_str());
         } else {
             allOk = false;
         }

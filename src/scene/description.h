@@ -34,8 +34,8 @@ struct TextureReference {
     Material material = Material::stone;  // of textures only
 };
 
-// A lamp within a block. If the block turns out to be opaque, the lamp is of no use.
-struct HiddenLamp {
+// Something within a block. If that turns out to be opaque, nobody sees it.
+struct HiddenThing {
     BlueprintId block;
     Fault warning;
 };
@@ -47,7 +47,7 @@ struct SceneDescription {
         textures;  // in the order of TextureId; a file named twice in the same way is one texture
     std::vector<TextureReference> sprites;  // in the order of SpriteId
     std::vector<PanoramaReference> panoramas;
-    std::vector<HiddenLamp> hiddenLamps;
+    std::vector<HiddenThing> hiddenThings;
     std::vector<Aim> aims;
 };
 

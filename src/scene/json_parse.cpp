@@ -210,6 +210,16 @@ SyntaxFault explainMissing(std::string_view text, std::size_t offset, std::strin
     return {offset, found, expected};
 }
 
+// The fault of two keys, or two values, with nothing between them; it lies where the comma is
+// missing. Otherwise that of explainMissing.
+SyntaxFault explainComma(std::string_view text, std::size_t offset, std::string_view starts,
+                         const char* next, std::string expected) {
+    if (offset >= text.size() || starts.find(text[offset]) == std::string_view::npos)
+        return explainMissing(text, offset, std::move(expected));
+    const std::size_t before = text.substr(0, offset).find_last_not_of(" \t\r\n");
+    return {before + 1, "no comma", words("a comma before the next ", next)};
+}
+
 SyntaxFault explainValue(std::string_view text, std::size_t offset) {
     for (const std::string_view word : {"NaN", "nan", "Infinity", "-Infinity", "inf", "-inf"}) {
         if (standsAt(text, offset, word)) return {offset, shown(text, offset), "a finite number"};
@@ -238,15 +248,19 @@ SyntaxFault explain(std::string_view text, rapidjson::ParseErrorCode code, std::
         case rapidjson::kParseErrorValueInvalid:
             return explainValue(text, token);
         case rapidjson::kParseErrorObjectMissName:
-            return explainMissing(text, offset, "a key in double quotes", "another key");
+            return explainMissing(text, offset,
+                                  standsAt(text, offset, "[") || standsAt(text, offset, "{")
+                                      ? "a key in double quotes; was an array closed too early?"
+                                      : "a key in double quotes",
+                                  "another key");
         case rapidjson::kParseErrorObjectMissColon:
             return explainMissing(text, offset, "a colon between key and value");
         case rapidjson::kParseErrorObjectMissCommaOrCurlyBracket:
-            return explainMissing(text, offset,
-                                  "a comma and the next key, or } at the end of the object");
+            return explainComma(text, offset, "\"", "key",
+                                "a comma and the next key, or } at the end of the object");
         case rapidjson::kParseErrorArrayMissCommaOrSquareBracket:
-            return explainMissing(text, offset,
-                                  "a comma and the next value, or ] at the end of the array");
+            return explainComma(text, offset, "\"[{-0123456789", "value",
+                                "a comma and the next value, or ] at the end of the array");
         case rapidjson::kParseErrorStringMissQuotationMark:
         case rapidjson::kParseErrorStringInvalidEncoding:
             return {token, "a text that is not closed", "a double quote at its end"};

@@ -215,9 +215,9 @@ LoadedScene loadScene(ParsedScene scene, const SceneFiles& files, EarlyImages ea
     }
     if (loaded.faults.empty()) {
         loaded.warnings = std::move(scene.warnings);
-        for (HiddenLamp& lamp : description.hiddenLamps) {
-            if (!world.blueprints[lamp.block].seeThrough)
-                loaded.warnings.push_back(std::move(lamp.warning));
+        for (HiddenThing& thing : description.hiddenThings) {
+            if (!world.blueprints[thing.block].seeThrough)
+                loaded.warnings.push_back(std::move(thing.warning));
         }
         loaded.aims = std::move(description.aims);
         loaded.world = std::move(world);

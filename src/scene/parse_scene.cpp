@@ -57,7 +57,10 @@ void readScene(Reading& reading, JsonValue root) {
     placePaths(reading);
     placeObjects(reading);
     placeQuest(reading, fields->find("game"));
-    if (checker.count() == 0) findHiddenLamps(reading);
+    if (checker.count() == 0) {
+        findHiddenThings(reading);
+        warnOfUnusedBlueprints(reading);
+    }
     placeVariants(reading);
 }
 

@@ -55,7 +55,8 @@ void readLamps(Reading& reading, JsonValue value, bool hasSize, Map& map) {
                         {"x below ", map.width, " and y below ", map.depth});
         }
         map.baked.lamps.push_back(lamp);
-        reading.lamps.push_back({element, reading.description.world.maps.size(), lamp});
+        reading.things.push_back(
+            {element, "a lamp", reading.description.world.maps.size(), lamp.x, lamp.y, lamp.z});
     }
 }
 
@@ -87,26 +88,26 @@ LampId readLamp(Reading& reading, JsonValue value) {
     return static_cast<LampId>(kinds.size() - 1);
 }
 
-void findHiddenLamps(Reading& reading) {
+void findHiddenThings(Reading& reading) {
     const World& world = reading.description.world;
-    for (const PlacedLamp& placed : reading.lamps) {
-        const Map& map = world.maps[placed.map];
-        const Lamp& lamp = placed.lamp;
-        const int x = lamp.x.tile();
-        const int y = lamp.y.tile();
-        const int level = lamp.z.tile();
+    for (const PlacedThing& thing : reading.things) {
+        const Map& map = world.maps[thing.map];
+        const int x = thing.x.tile();
+        const int y = thing.y.tile();
+        const int level = thing.z.tile();
         if (!map.contains(x, y) || !map.isOccupied(x, y, level)) continue;
         const BlueprintId id = map.cell(x, y, level);
         const CellBlueprint& block = world.blueprints[id];
         const auto isWithin = [](Coordinate at, int tile, Coordinate low, Coordinate high) {
             return at - tileEdge(tile) >= low && at - tileEdge(tile) < high;
         };
-        if (block.plan.half == Half::none && !block.slopes.any() &&
-            isWithin(lamp.x, x, block.plan.west, block.plan.east) &&
-            isWithin(lamp.y, y, block.plan.north, block.plan.south) &&
-            isWithin(lamp.z, level, block.bottom, block.top)) {
-            reading.description.hiddenLamps.push_back(
-                {id, reading.checker.faultAt(placed.value, "a lamp in a block that no light leaves",
+        if (block.plan.half == Half::none && !block.slopes.any() && block.isStill() &&
+            isWithin(thing.x, x, block.plan.west, block.plan.east) &&
+            isWithin(thing.y, y, block.plan.north, block.plan.south) &&
+            isWithin(thing.z, level, block.bottom, block.top)) {
+            reading.description.hiddenThings.push_back(
+                {id, reading.checker.faultAt(thing.value,
+                                             {thing.what, " inside the block ", quoted(block.name)},
                                              "a place in the open")});
         }
     }

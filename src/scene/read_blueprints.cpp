@@ -125,17 +125,18 @@ Plan readPlan(Reading& reading, JsonValue value) {
     const std::size_t faultsBefore = checker.count();
     std::array<Coordinate, 4> edges;
     std::size_t next = 0;
-    for (const JsonValue edge : value)
-        edges[next++] = toCoordinate(checker.number(edge, kUnitRange).value_or(0.0));
-    if (checker.count() != faultsBefore) return {};
-    const bool isWide = edges[2] - edges[0] >= kThinnest;
-    if (!isWide || edges[3] - edges[1] < kThinnest) {
-        checker.add(value, "a block that is too thin",
-                    {"[west, north, east, south] with ",
-                     isWide ? "\"south\" above \"north\"" : "\"east\" above \"west\"",
-                     ", by at least 1/16"});
-        return {};
+    for (const JsonValue edge : value) {
+        edges[next] = toCoordinate(checker.number(edge, kUnitRange).value_or(0.0));
+        if (checker.count() == faultsBefore && next >= 2 &&
+            edges[next] - edges[next - 2] < kThinnest) {
+            const bool isEast = next == 2;
+            checker.add(edge, {checker.shown(edge), " for ", isEast ? "\"east\"" : "\"south\""},
+                        {"at least 1/16 more than ", isEast ? "\"west\"" : "\"north\"",
+                         ": the edges are [west, north, east, south]"});
+        }
+        ++next;
     }
+    if (checker.count() != faultsBefore) return {};
     return {edges[0], edges[1], edges[2], edges[3]};
 }
 
@@ -277,8 +278,25 @@ void readBlueprints(Reading& reading, JsonValue value) {
         }
         reading.blueprints.add(member.key(), static_cast<BlueprintId>(blueprints.size()));
         blueprints.push_back(readBlueprint(reading, member));
+        reading.blueprintValues.push_back(member);
     }
     findFollowedGates(reading);
+}
+
+void warnOfUnusedBlueprints(Reading& reading) {
+    const World& world = reading.description.world;
+    std::vector<bool> isUsed(world.blueprints.size());
+    for (const Map& map : world.maps) {
+        for (const BlueprintId id : map.cells) {
+            isUsed[id] = true;
+            isUsed[world.blueprints[id].origin] = true;
+        }
+    }
+    for (std::size_t i = 0; i < reading.blueprintValues.size(); ++i) {
+        if (isUsed[i + 1]) continue;
+        reading.checker.warn(reading.blueprintValues[i], "a blueprint that stands in no map",
+                             "its letter of the legend in the rows of a level");
+    }
 }
 
 }  // namespace slicecast

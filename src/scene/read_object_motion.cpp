@@ -78,7 +78,11 @@ std::optional<PathPoint> readPoint(Reading& reading, JsonValue value, int ownMap
     for (const char* key : {"x", "y"}) fields->require(key, kOnMapRange.words);
     point.place.x = toCoordinate(fields->number("x", kOnMapRange, 0.0));
     point.place.y = toCoordinate(fields->number("y", kOnMapRange, 0.0));
-    if (fields->find("z")) point.feet = toCoordinate(fields->number("z", kPointFeet, 0.0));
+    if (fields->find("z")) {
+        point.feet = toCoordinate(fields->number("z", kPointFeet, 0.0));
+        reading.things.push_back({value, "a point of a path", static_cast<std::size_t>(point.map),
+                                  point.place.x, point.place.y, *point.feet});
+    }
     point.waitSteps = motionSteps(fields->number("wait", kWait, 0.0));
     if (checker.count() != faultsBefore) return std::nullopt;
     const Map& map = reading.description.world.maps[static_cast<std::size_t>(point.map)];

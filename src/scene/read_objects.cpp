@@ -56,11 +56,18 @@ std::optional<Object> readObject(Reading& reading, JsonValue value, bool hasSize
     object.light = fields->number("light", kUnitRange, 1.0);
     object.glow = fields->flag("glow", false);
     object.floats = fields->flag("float", false);
+    const auto place = [&](JsonValue at, const char* what, Coordinate above) {
+        reading.things.push_back({at, what, reading.description.world.maps.size(), object.x,
+                                  object.y, object.z + above});
+    };
+    if (!fields->find("motion")) place(value, "an object", {object.height.raw / 2});
     if (const auto lamp = fields->find("lamp")) {
         object.lamp = readLamp(reading, *lamp);
         if (object.floats || fields->find("motion"))
             checker.add(*lamp, "a lamp on an object that moves",
                         "\"lamp\" without \"float\" and \"motion\": lamps stand still");
+        // It hangs at four fifths of the object's height
+        place(*lamp, "a lamp", {object.height.raw / 5 * 4});
         if (fields->find("find"))
             checker.add(*lamp, "a lamp on a find", "\"lamp\" without \"find\": finds are taken");
     }

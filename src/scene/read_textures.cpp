@@ -36,7 +36,9 @@ std::optional<std::string> readFileName(Checker& checker, JsonValue value) {
     if (!name) return std::nullopt;
     if (!isPortable(*name)) {
         checker.add(value, {"the file name ", quoted(*name)},
-                    {expected, ", with forward slashes and none of \\ : ? # % * \" < > |"});
+                    {expected, name->front() == '/'
+                                   ? ", without a slash at its beginning"
+                                   : ", with forward slashes and none of \\ : ? # % * \" < > |"});
         return std::nullopt;
     }
     if (!isPng(*name)) {

@@ -35,11 +35,14 @@ struct SowingOrder {
     Sowing sowing;
 };
 
-// A lamp of a map, and where the file states it.
-struct PlacedLamp {
+// Something that is of no use inside an opaque block: its place, and where the file states it.
+struct PlacedThing {
     JsonValue value;
+    const char* what;
     std::size_t map;
-    Lamp lamp;
+    Coordinate x;
+    Coordinate y;
+    Coordinate z;
 };
 
 // A moving object, and where the file states it.
@@ -95,7 +98,8 @@ struct Reading {
     std::vector<FollowedGate> followed = {};
     std::vector<PortalList> portals = {};
     std::vector<JsonValue> mapValues = {};
-    std::vector<PlacedLamp> lamps = {};
+    std::vector<JsonValue> blueprintValues = {};  // from the world's second blueprint on
+    std::vector<PlacedThing> things = {};
     std::vector<std::vector<TextureId>> pictures = {};  // of textures with variants, by TextureId
     FoundValue variants = {};                           // the last list of variants
     NameTable findKinds = {};                           // index into Quest::kinds
@@ -179,6 +183,9 @@ void checkMotion(Reading& reading, JsonValue value, const CellBlueprint& bluepri
 // "blueprints": { NAME: { bottom, top, faces, join, motion, gate } }
 void readBlueprints(Reading& reading, JsonValue value);
 
+// Warns of blueprints that stand nowhere. Call it when all maps have been read.
+void warnOfUnusedBlueprints(Reading& reading);
+
 // "maps": [ { name, legend, levels, floor, ceiling, objects, sow, portals, sky, light, fog, haze,
 // far } ]; `legend` is the one of all maps.
 void readMaps(Reading& reading, JsonValue value, const Legend& legend);
@@ -204,8 +211,8 @@ void readFog(Reading& reading, JsonValue value, Fog& fog);
 // "lamp" of a face or an object, and the same keys of a map's lamps.
 LampKind readLampKind(const Fields& fields);
 LampId readLamp(Reading& reading, JsonValue value);
-// Finds lamps within blocks, once all maps are read.
-void findHiddenLamps(Reading& reading);
+// Finds lamps, objects and points of paths within blocks, once all maps are read.
+void findHiddenThings(Reading& reading);
 
 // "baked" of a map: { sun, ambient, lamps }
 void readBakedLight(Reading& reading, JsonValue value, bool hasSize, Map& map);

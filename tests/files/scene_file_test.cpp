@@ -126,6 +126,14 @@ TEST_F(SceneFile, FaultsSayWhyImagesCannotBeRead) {
     EXPECT_LT(std::chrono::steady_clock::now() - start, std::chrono::seconds(1));
 }
 
+TEST_F(SceneFile, AMissingImageMayHaveANameLikeIt) {
+    fs::rename(image(), image().parent_path() / "Brick.png");
+    const LoadedScene loaded = readSceneFile(scene());
+    ASSERT_EQ(loaded.faults.size(), 1u);
+    EXPECT_EQ(loaded.faults[0].found,
+              "\"brick.png\", which does not exist; did you mean \"Brick.png\"?");
+}
+
 TEST(ReadWholeFile, ReportsTheErrorOfTheSystem) {
     // A regular file of Linux that tells no size and refuses to be read, by root too
     const char* kUnreadable = "/proc/self/mem";

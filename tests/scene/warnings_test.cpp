@@ -46,9 +46,11 @@ TEST(Warnings, NameGatesThatFollowNothing) {
                "bell": { "faces": "brick", "motion": "up", "gate": {} },
                "door": { "faces": "brick", "motion": "up", "gate": { "follows": "bell" } })");
     const std::vector<Fault> warnings = loadSound(text).warnings;
-    ASSERT_EQ(warnings.size(), 1u);
-    EXPECT_EQ(warnings[0].pointer, "/blueprints/door/gate/follows");
-    EXPECT_EQ(warnings[0].found, "the gate \"bell\", which stands in no map");
+    ASSERT_EQ(warnings.size(), 2u);
+    EXPECT_EQ(warnings[0].pointer, "/blueprints/bell");
+    EXPECT_EQ(warnings[0].found, "a blueprint that stands in no map");
+    EXPECT_EQ(warnings[1].pointer, "/blueprints/door/gate/follows");
+    EXPECT_EQ(warnings[1].found, "the gate \"bell\", which stands in no map");
     replace("#...#", "#..b#");
     EXPECT_TRUE(loadSound(text).warnings.empty());
 }
@@ -81,9 +83,47 @@ TEST(Warnings, TellOfLampsInOpaqueBlocks) {
     const LoadedScene hidden = lamp(R"("x": 0.5, "y": 1.5, "z": 0.5)");
     ASSERT_EQ(hidden.warnings.size(), 1u);
     EXPECT_EQ(hidden.warnings[0].pointer, "/maps/0/baked/lamps/0");
-    EXPECT_EQ(hidden.warnings[0].found, "a lamp in a block that no light leaves");
+    EXPECT_EQ(hidden.warnings[0].found, "a lamp inside the block \"wall\"");
     EXPECT_EQ(lamp(R"("x": 1.5, "y": 1.5, "z": 0.5)").warnings.size(), 0u);
     EXPECT_EQ(lamp(R"("x": 0.5, "y": 1.5, "z": 1)").warnings.size(), 0u) << "on top of it";
+}
+
+TEST(Warnings, TellOfObjectsInOpaqueBlocks) {
+    const auto object = [](const std::string& place) {
+        std::string text = smallScene(R"([["###", "#..", "###"]])",
+                                      R"("objects": [{ "sprite": "tree", )" + place + " }]");
+        return loadText(text.insert(text.find("\"blueprints\""),
+                                    "\"sprites\": { \"tree\": \"broken/images/brick.png\" }, "));
+    };
+    const LoadedScene hidden = object(R"("x": 0.5, "y": 1.5, "height": 0.5)");
+    ASSERT_EQ(hidden.warnings.size(), 1u) << inWords(hidden.faults);
+    EXPECT_EQ(hidden.warnings[0].pointer, "/maps/0/objects/0");
+    EXPECT_EQ(hidden.warnings[0].found, "an object inside the block \"wall\"");
+    EXPECT_EQ(object(R"("x": 0.5, "y": 1.5, "z": 1, "height": 0.5)").warnings.size(), 0u);
+    EXPECT_EQ(object(R"("x": 0.5, "y": 1.5, "height": 3)").warnings.size(), 0u)
+        << "most of it is in sight";
+    const LoadedScene lamp = object(R"("x": 0.5, "y": 1.5, "height": 1.2, "lamp": {})");
+    ASSERT_EQ(lamp.warnings.size(), 2u) << inWords(lamp.faults);
+    EXPECT_EQ(lamp.warnings[1].pointer, "/maps/0/objects/0/lamp");
+    EXPECT_EQ(object(R"("x": 0.5, "y": 1.5, "height": 1.3, "lamp": {})").warnings.size(), 1u)
+        << "the lamp hangs above the wall";
+}
+
+TEST(Warnings, TellOfPathsThroughOpaqueBlocks) {
+    const auto path = [](const std::string& point) {
+        std::string text = smallScene(
+            R"([["####", "#..#", "####"]])",
+            R"("objects": [{ "sprite": "cat", "x": 1.5, "y": 1.5, "height": 0.5, "motion": {
+                "kind": "patrol", "speed": 1, "path": [{ "x": 2.5, "y": 1.5 }, )" +
+                point + "] } }]");
+        return loadText(text.insert(text.find("\"blueprints\""),
+                                    "\"sprites\": { \"cat\": \"broken/images/brick.png\" }, "));
+    };
+    const LoadedScene hidden = path(R"({ "x": 3.5, "y": 1.5, "z": 0 })");
+    ASSERT_EQ(hidden.warnings.size(), 1u) << inWords(hidden.faults);
+    EXPECT_EQ(hidden.warnings[0].pointer, "/maps/0/objects/0/motion/path/1");
+    EXPECT_EQ(hidden.warnings[0].found, "a point of a path inside the block \"wall\"");
+    EXPECT_EQ(path(R"({ "x": 3.5, "y": 1.5, "z": 1 })").warnings.size(), 0u);
 }
 
 TEST(Warnings, CountAJumpAsAWayOut) {
