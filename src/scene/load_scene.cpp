@@ -117,9 +117,10 @@ private:
         return std::move(decoded.image);
     }
 
-    // All of one colour.
+    // All of one colour. Each texel has one light, so few texels would show as steps.
     static Image plain(Colour colour) {
-        Image image(kMinTextureSize, kMinTextureSize);
+        constexpr int kSide = 64;
+        Image image(kSide, kSide);
         std::fill(image.pixels.begin(), image.pixels.end(), toPixel(colour));
         return image;
     }

@@ -56,7 +56,7 @@ TEST(ParseScene, ReadsEveryKey) {
     EXPECT_FALSE(world.textures[tile].seeThrough);
     const Texture& red = world.textures[4];
     EXPECT_EQ(red.name, "red");
-    EXPECT_EQ(red.size(), 8);
+    EXPECT_EQ(red.size(), 64);
     EXPECT_FALSE(red.seeThrough);
     for (const TextureLevel& level : red.levels)
         for (const Pixel texel : level.texels)
