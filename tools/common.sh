@@ -98,14 +98,13 @@ configurePreset() {
   printf '%s' "$wanted" >"$stamp"
 }
 
-# startBuild PRESET TARGET...: builds targets of a configured preset.
+# startBuild PRESET JOBS TARGET...: builds targets of a configured preset.
 startBuild() {
-  oneAtATime "$repo/build/$1/.slicecast-lock" \
-    cmake --build "$repo/build/$1" -j "$(getconf _NPROCESSORS_ONLN)" --target "${@:2}"
+  oneAtATime "$repo/build/$1/.slicecast-lock" cmake --build "$repo/build/$1" -j "$2" --target "${@:3}"
 }
 
 # buildPreset PRESET TARGET...: configures the preset if needed, and builds the targets.
 buildPreset() {
   configurePreset "$1" || return 1
-  progress "Building $1" startBuild "$@"
+  progress "Building $1" startBuild "$1" "$(getconf _NPROCESSORS_ONLN)" "${@:2}"
 }
