@@ -77,13 +77,18 @@ oneAtATime() {
   if command -v flock >/dev/null; then flock "$@"; else "${@:2}"; fi
 }
 
-# configurePreset PRESET: configures the preset if needed. Warnings are errors if the environment has
-# SLICECAST_WERROR=ON, as in .ci/run.
+# configurePreset PRESET: configures the preset if needed. Warnings are errors if the environment
+# has SLICECAST_WERROR=ON, and g++ -O2 compiles each part as one file if it has SLICECAST_UNITY=ON,
+# as in .ci/run.
 configurePreset() {
   local preset="$1" folder="$repo/build/$1" wanted options=()
   local stamp="$folder/.slicecast-configured"
   wanted="$(cksum <"$repo/CMakePresets.json") ${SLICECAST_WERROR:-OFF}"
   options+=(-DSLICECAST_WERROR="${SLICECAST_WERROR:-OFF}")
+  if [[ "$preset" == native ]]; then
+    wanted+=" ${SLICECAST_UNITY:-OFF}"
+    options+=(-DCMAKE_UNITY_BUILD="${SLICECAST_UNITY:-OFF}" -DCMAKE_UNITY_BUILD_BATCH_SIZE=0)
+  fi
   if [[ "$preset" == wasm-* ]]; then
     wanted+=" $(command -v emcc) ${SLICECAST_SDL2_WASM:-}"
     options+=(-DSLICECAST_SDL2_WASM="${SLICECAST_SDL2_WASM:-}")
@@ -98,9 +103,13 @@ configurePreset() {
   printf '%s' "$wanted" >"$stamp"
 }
 
+# startBuild PRESET JOBS TARGET...: builds targets of a configured preset.
+startBuild() {
+  oneAtATime "$repo/build/$1/.slicecast-lock" cmake --build "$repo/build/$1" -j "$2" --target "${@:3}"
+}
+
 # buildPreset PRESET TARGET...: configures the preset if needed, and builds the targets.
 buildPreset() {
   configurePreset "$1" || return 1
-  progress "Building $1" oneAtATime "$repo/build/$1/.slicecast-lock" \
-    cmake --build "$repo/build/$1" -j "$(getconf _NPROCESSORS_ONLN)" --target "${@:2}"
+  progress "Building $1" startBuild "$1" "$(getconf _NPROCESSORS_ONLN)" "${@:2}"
 }

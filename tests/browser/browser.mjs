@@ -17,13 +17,12 @@ const kArguments = [
 ];
 const kWaitMilliseconds = 15000; // for anything; a slow machine is not a fault
 
-function findChromium() {
-  const names = ['chromium', 'chromium-browser', 'google-chrome'];
+function findChromium(names) {
   const places = [
     process.env.SLICECAST_CHROMIUM,
-    ...(process.env.PATH ?? '')
-      .split(path.delimiter)
-      .flatMap((folder) => names.map((name) => path.join(folder, name))),
+    ...names.flatMap((name) =>
+      (process.env.PATH ?? '').split(path.delimiter).map((folder) => path.join(folder, name)),
+    ),
     '/Applications/Chromium.app/Contents/MacOS/Chromium',
     '/Applications/Google Chrome.app/Contents/MacOS/Google Chrome',
   ];
@@ -42,22 +41,41 @@ function findChromium() {
   return found;
 }
 
+const kWindowed = ['chromium', 'chromium-browser', 'google-chrome'];
+// Without windows a test takes a third of the processor time.
+const kWindowless = ['chromium-headless-shell', ...kWindowed];
+
 // `more` are further arguments, as --js-flags.
-export function launch(more = []) {
-  return chromium.launch({ executablePath: findChromium(), args: [...kArguments, ...more] });
+export function launch(more = [], names = kWindowless) {
+  return chromium.launch({
+    executablePath: findChromium(names),
+    args: [...kArguments, ...more],
+  });
+}
+
+// For one test, a Chromium that has windows, though nobody sees them: only there the pointer can be
+// locked, and a page is hidden by another one.
+export async function withWindows(t) {
+  const browser = await launch([], kWindowed);
+  atEnd(t, async () => {
+    await browser.close();
+    return [];
+  });
+  return browser;
 }
 
 const closings = new WeakMap(); // by test: functions that close a page and return its complaints
 
-// Closes all pages of a test, and only then fails by what they complained about. A hook that throws
-// keeps the later hooks from running, and a server that is left open keeps the tests from ending.
+// Closes all pages of a test, the last one first, and only then fails by what they complained
+// about. A hook that throws keeps the later hooks from running, and a server that is left open
+// keeps the tests from ending.
 function atEnd(t, close) {
   if (!closings.has(t)) {
     const all = [];
     closings.set(t, all);
     t.after(async () => {
       const complaints = [];
-      for (const one of all) complaints.push(...(await one()));
+      for (const one of all.reverse()) complaints.push(...(await one()));
       if (complaints.length > 0) throw new Error(`The page complained: ${complaints.join('\n')}`);
     });
   }

@@ -3,7 +3,7 @@
 
 import assert from 'node:assert/strict';
 import { after, before, test } from 'node:test';
-import { launch } from './browser.mjs';
+import { launch, withWindows } from './browser.mjs';
 import {
   elementPixel,
   focusOf,
@@ -207,7 +207,11 @@ test('H shows the keys on a sheet; H and Escape close it and give the focus back
 });
 
 test('the first click plays, the next one locks the pointer; then the wheel does not scroll', async (t) => {
-  const { page } = await openElements(t, browser, `${kRoom}<div style="height: 3000px"></div>`);
+  const { page } = await openElements(
+    t,
+    await withWindows(t),
+    `${kRoom}<div style="height: 3000px"></div>`,
+  );
   await ready(page, 'a');
   await page.mouse.click(160, 60);
   await inElementState(page, 'a', 'playing');

@@ -3,7 +3,7 @@
 
 import assert from 'node:assert/strict';
 import { after, before, test } from 'node:test';
-import { launch } from './browser.mjs';
+import { launch, withWindows } from './browser.mjs';
 import { focusOf, inElementState, openElements, ready } from './element.mjs';
 import { wait } from './guest-page.mjs';
 
@@ -25,7 +25,7 @@ const whereIs = (page) => page.evaluate(() => document.getElementById('a').curre
 test('after another tab, touch controls and the leave button are back', async (t) => {
   const { page, context } = await openElements(
     t,
-    browser,
+    await withWindows(t),
     '<ray-caster id="a" scene="room"></ray-caster>',
     phone,
   );

@@ -4,7 +4,7 @@
 import assert from 'node:assert/strict';
 import { readFileSync } from 'node:fs';
 import { after, before, test } from 'node:test';
-import { launch } from './browser.mjs';
+import { launch, withWindows } from './browser.mjs';
 import { guestPage, kRoom, openGuest, ready, until, wait } from './guest-page.mjs';
 import { kBlue, kGreen, roomScene } from './room.mjs';
 import { serve } from './static-server.mjs';
@@ -351,7 +351,7 @@ test('Play in the bar, by a finger, shows the touch controls', async (t) => {
 
 test('in the document of a frame that it was moved to, the mouse turns the view', async (t) => {
   const frame = guestPage('', { script: '' });
-  const { page } = await openGuest(t, browser, {
+  const { page } = await openGuest(t, await withWindows(t), {
     body: `${kRoom}<iframe name="inner" src="inner.html" width="500" height="400"></iframe>`,
     server: { files: { 'inner.html': frame } },
   });

@@ -11,6 +11,7 @@ import {
   play,
   player,
   untilPlayer,
+  withWindows,
 } from './browser.mjs';
 
 let browser;
@@ -272,7 +273,7 @@ test('F enters and leaves full screen', async (t) => {
 });
 
 test('a click locks the pointer, the mouse looks around, Escape releases it', async (t) => {
-  const { page } = await openScene(t, browser);
+  const { page } = await openScene(t, await withWindows(t));
   await page.mouse.click(320, 100);
   await inState(page, 'playing');
   await page.waitForFunction(() => document.pointerLockElement === window.slicecast);

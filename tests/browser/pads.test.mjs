@@ -12,6 +12,7 @@ import {
   play,
   player,
   untilPlayer,
+  withWindows,
 } from './browser.mjs';
 import { withPad } from './fake-pad.mjs';
 
@@ -104,7 +105,7 @@ test('if the browser refuses the pointer lock, a click steers by the mouse posit
     'frame.html':
       '<!doctype html><body style="margin:0"><iframe sandbox="allow-scripts allow-same-origin" src="./" style="border:0;width:640px;height:360px">',
   };
-  const { page } = await openPage(t, browser, {
+  const { page } = await openPage(t, await withWindows(t), {
     server: { files },
     query: 'frame.html',
     expectErrors: true,

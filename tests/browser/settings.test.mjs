@@ -11,6 +11,7 @@ import {
   play,
   player,
   untilPlayer,
+  withWindows,
 } from './browser.mjs';
 
 let browser;
@@ -230,7 +231,7 @@ test('the field of view changes the picture at once', async (t) => {
 });
 
 test('the mouse follows the chosen sensitivity and direction', async (t) => {
-  const { page } = await openScene(t, browser);
+  const { page } = await openScene(t, await withWindows(t));
   const turnBy = async (pixels) => {
     await page.mouse.move(300, 100);
     await page.mouse.click(300, 100);

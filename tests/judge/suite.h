@@ -28,26 +28,28 @@ inline constexpr std::array<Size, 3> kOddSizes = {{{33, 120}, {97, 53}, {7, 90}}
 
 using MakeScene = Scene (*)(std::uint64_t seed, int width, int height);
 
-// Judges the pictures of the seeds [first, first + count). A refused picture counts as an unexcused
-// pixel.
+// Judges the picture of one seed. A refused picture counts as an unexcused pixel.
+template <typename Sizes>
+Verdict judgeOne(Renderer& renderer, MakeScene make, std::uint64_t seed, const Sizes& sizes) {
+    const Size size = sizes[seed % sizes.size()];
+    const Scene scene = make(seed, size.width, size.height);
+    const std::string name = "seed " + std::to_string(seed);
+    const Image image = draw(renderer, scene.world, scene.view);
+    if (!image.empty())
+        return judge(scene.world, scene.view, image.pixels.data(), image.width, name);
+    Verdict refused;
+    refused.unexcused = 1;
+    refused.complaints = {name + ": the renderer refused to draw"};
+    return refused;
+}
+
+// Judges the pictures of the seeds [first, first + count).
 template <typename Sizes>
 Verdict judgeAll(MakeScene make, std::uint64_t first, int count, const Sizes& sizes) {
     Renderer renderer;
     Verdict sum;
-    for (std::uint64_t seed = first; seed < first + static_cast<std::uint64_t>(count); ++seed) {
-        const Size size = sizes[seed % sizes.size()];
-        const Scene scene = make(seed, size.width, size.height);
-        const std::string name = "seed " + std::to_string(seed);
-        const Image image = draw(renderer, scene.world, scene.view);
-        if (image.empty()) {
-            Verdict refused;
-            refused.unexcused = 1;
-            refused.complaints = {name + ": the renderer refused to draw"};
-            sum.add(refused);
-            continue;
-        }
-        sum.add(judge(scene.world, scene.view, image.pixels.data(), image.width, name));
-    }
+    for (std::uint64_t seed = first; seed < first + static_cast<std::uint64_t>(count); ++seed)
+        sum.add(judgeOne(renderer, make, seed, sizes));
     return sum;
 }
 
