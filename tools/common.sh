@@ -77,18 +77,13 @@ oneAtATime() {
   if command -v flock >/dev/null; then flock "$@"; else "${@:2}"; fi
 }
 
-# configurePreset PRESET: configures the preset if needed. Warnings are errors if the environment
-# has SLICECAST_WERROR=ON, and g++ -O2 compiles each part as one file if it has SLICECAST_UNITY=ON,
-# as in .ci/run.
+# configurePreset PRESET: configures the preset if needed. Warnings are errors if the environment has
+# SLICECAST_WERROR=ON, as in .ci/run.
 configurePreset() {
   local preset="$1" folder="$repo/build/$1" wanted options=()
   local stamp="$folder/.slicecast-configured"
   wanted="$(cksum <"$repo/CMakePresets.json") ${SLICECAST_WERROR:-OFF}"
   options+=(-DSLICECAST_WERROR="${SLICECAST_WERROR:-OFF}")
-  if [[ "$preset" == native ]]; then
-    wanted+=" ${SLICECAST_UNITY:-OFF}"
-    options+=(-DCMAKE_UNITY_BUILD="${SLICECAST_UNITY:-OFF}" -DCMAKE_UNITY_BUILD_BATCH_SIZE=0)
-  fi
   if [[ "$preset" == wasm-* ]]; then
     wanted+=" $(command -v emcc) ${SLICECAST_SDL2_WASM:-}"
     options+=(-DSLICECAST_SDL2_WASM="${SLICECAST_SDL2_WASM:-}")
