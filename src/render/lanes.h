@@ -78,6 +78,10 @@ inline unsigned bitsOf(Lanes mask) {
 inline bool anyOf(U32x4 mask) {
     return _mm_movemask_epi8((__m128i)mask) != 0;
 }
+// One bit for each set lane of such a mask.
+inline unsigned bitsOf(U32x4 mask) {
+    return static_cast<unsigned>(_mm_movemask_ps((__m128)mask));
+}
 inline F64x2 heldBetween(F64x2 value, double low, double high) {
     return (F64x2)_mm_min_pd(_mm_max_pd((__m128d)value, _mm_set1_pd(low)), _mm_set1_pd(high));
 }
@@ -137,6 +141,9 @@ inline unsigned bitsOf(Lanes mask) {
 inline bool anyOf(U32x4 mask) {
     return wasm_v128_any_true((v128_t)mask);
 }
+inline unsigned bitsOf(U32x4 mask) {
+    return wasm_i32x4_bitmask((v128_t)mask);
+}
 inline F64x2 heldBetween(F64x2 value, double low, double high) {
     return (F64x2)wasm_f64x2_pmin(wasm_f64x2_pmax((v128_t)value, wasm_f64x2_splat(low)),
                                   wasm_f64x2_splat(high));
@@ -186,6 +193,9 @@ inline unsigned bitsOf(Lanes mask) {
 }
 inline bool anyOf(U32x4 mask) {
     return (mask[0] | mask[1] | mask[2] | mask[3]) != 0;
+}
+inline unsigned bitsOf(U32x4 mask) {
+    return (mask[0] & 1) | (mask[1] & 2) | (mask[2] & 4) | (mask[3] & 8);
 }
 inline F64x2 heldBetween(F64x2 value, double low, double high) {
     for (int i = 0; i < 2; ++i) {

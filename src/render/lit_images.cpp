@@ -6,8 +6,8 @@ namespace slicecast {
 
 // What is kept is at most twice what a whole picture needs, so that pictures like the last ones
 // find all that they show. Pictures of another place then begin anew.
-void LitImages::beginFrame() {
-    ++frame_;
+void LitImages::beginFrame(bool changed) {
+    if (changed) ++change_;
     if (mostKept_ == 0) mostKept_ = std::max(2 * kept_, kLeastKept);
     if (kept_ > mostKept_) clear();
 }
@@ -24,7 +24,7 @@ void LitImages::clear() {
 const Pixel* LitImages::make(const LitSquare& square, const FaceNodes& nodes, Source source) {
     const int bits = square.bits();
     Image& image = imageOf(square.key());
-    image.frame = frame_;
+    image.change = change_;
     if (image.pixels == nullptr) {
         image.pixels = allocate(std::size_t{1} << (2 * bits));
     } else if (image.source == source && image.shows(square)) {

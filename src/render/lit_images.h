@@ -32,16 +32,17 @@ struct LitSquare {
 
 class LitImages {
 public:
-    // Once before each frame. Forgets all if much is kept that no recent picture needs.
-    void beginFrame();
+    // Once before each frame. Forgets all if much is kept that no recent picture needs. `changed`:
+    // the light of some faces.
+    void beginFrame(bool changed);
 
     void clear();
 
     // How much is kept, pixels.
     std::size_t kept() const { return kept_; }
 
-    // The texels of a square that this frame has asked for before; null if it has not. In the order
-    // of the level's: (u, v) of the square at (u << bits) + v.
+    // The texels of a square that have been asked for since the light changed; else null. In the
+    // order of the level's: (u, v) of the square at (u << bits) + v.
     const Pixel* find(const LitSquare& square) const {
         const std::uint64_t key = square.key();
         std::size_t slot = slotOf(key);
@@ -50,7 +51,7 @@ public:
             slot = (slot + 1) & (images_.size() - 1);
         }
         const Image& image = images_[slot];
-        return image.frame == frame_ && image.shows(square) ? image.pixels : nullptr;
+        return image.change == change_ && image.shows(square) ? image.pixels : nullptr;
     }
 
     // What a square's light is made from. Two that are equal light a face equally.
@@ -60,7 +61,7 @@ public:
 
         friend bool operator==(const Source&, const Source&) = default;
     };
-    // The same for the first time in a frame: lights them unless they are kept.
+    // The same for the first time since then: lights them unless they are kept.
     const Pixel* make(const LitSquare& square, const FaceNodes& nodes, Source source);
 
 private:
@@ -69,7 +70,7 @@ private:
         const Pixel* from = nullptr;
         Coordinate shiftA;
         Coordinate shiftB;
-        std::uint32_t frame = 0;
+        std::uint32_t change = 0;
         Source source;
         Pixel* pixels = nullptr;
 
@@ -91,7 +92,7 @@ private:
 
     std::vector<Image> images_ = std::vector<Image>(64);  // a hash table, at least half of it free
     std::size_t count_ = 0;                               // of images
-    std::uint32_t frame_ = 0;
+    std::uint32_t change_ = 0;                            // of the light
     std::vector<std::unique_ptr<Pixel[]>> pieces_;
     std::size_t piece_ = 0;  // that is being filled
     std::size_t used_ = 0;   // of that

@@ -10,8 +10,8 @@ constexpr std::size_t kFirstRecordSlots = 1024;
 }  // namespace
 
 void LitMap::beginFrame(const World& world, const Map& map) {
-    ++frame_;
-    images_.beginFrame();
+    const std::uint32_t before = change_;
+    lines_.beginFrame();
     if (scene_.begin(world, map) || objects_.size() != map.objects.size()) {
         forgetAll();
         objects_.assign(map.objects.size(), {});
@@ -23,6 +23,7 @@ void LitMap::beginFrame(const World& world, const Map& map) {
             if ((scene_.changed() >> bit & 1) != 0) changes_[bit] = change_;
         }
     }
+    images_.beginFrame(change_ != before);
 }
 
 void LitMap::forgetAll() {
@@ -34,6 +35,7 @@ void LitMap::forgetAll() {
     odd_.clear();
     recent_.assign(kRecent, {});
     images_.clear();
+    lines_.clear();
 }
 
 std::size_t LitMap::bytes() const {
@@ -54,7 +56,7 @@ const FaceNodes* LitMap::findNodes(const LitFaceAt& face) {
     if (record == nullptr) return nullptr;
     const std::uint64_t key = face.key();
     Recent& recent = recent_[scattered(key) & (kRecent - 1)];
-    recent = {key, frame_, nodesIn(*record)};
+    recent = {key, change_, nodesIn(*record)};
     return &recent.nodes;
 }
 
@@ -65,6 +67,17 @@ const Pixel* LitMap::makeTexels(LitSquare square, const LitFaceAt& instead) {
     if (record == nullptr) return images_.make(square, outside_, {});
     const auto number = static_cast<std::uint32_t>(record - records_.data()) + 1;
     return images_.make(square, nodesIn(*record), {number, record->made});
+}
+
+std::uint32_t LitMap::makeLines(LitFaceAt face, int levelBits, const LitFaceAt& instead) {
+    const Record* record = face.face == LitFace::outside ? nullptr : findRecord(face);
+    if (record == nullptr && face.face != LitFace::outside) {
+        face = instead;
+        record = findRecord(face);
+    }
+    const std::uint64_t key = LightLines::keyOf(record != nullptr ? face : kOutside, levelBits);
+    return record != nullptr ? lines_.make(key, change_, levelBits, nodesIn(*record), record->made)
+                             : lines_.make(key, change_, levelBits, outside_, 1);
 }
 
 // Makes the light of a face if it is not known. Null if there is no such face.

@@ -2,6 +2,7 @@
 // drawn, and kept until something on the ways of its light rays changes.
 #pragma once
 
+#include "render/light_lines.h"
 #include "render/light_samples.h"
 #include "render/light_scene.h"
 #include "render/lit_images.h"
@@ -25,7 +26,7 @@ public:
     const FaceNodes* nodesOf(const LitFaceAt& face) {
         const std::uint64_t key = face.key();
         const Recent& recent = recent_[scattered(key) & (kRecent - 1)];
-        return recent.key == key && recent.frame == frame_ ? &recent.nodes : findNodes(face);
+        return recent.key == key && recent.change == change_ ? &recent.nodes : findNodes(face);
     }
 
     // The lit texels of a square of a face: see LitImages::find. Valid until the next call of
@@ -34,6 +35,14 @@ public:
     // Those that are not known yet; of `instead`, or else of kOutside, if there is no such face.
     // Not inline: its arguments would have to be in memory also where they are known.
     const Pixel* makeTexels(LitSquare square, const LitFaceAt& instead);
+
+    // The index in allLines() of a face's first line, for texels of a level of that many bits; if
+    // there is no such face, of that of `instead`, or else of kOutside. Valid until the next frame.
+    std::uint32_t linesOf(const LitFaceAt& face, int levelBits, const LitFaceAt& instead) {
+        const std::uint32_t known = lines_.find(LightLines::keyOf(face, levelBits), change_);
+        return known != LightLines::kNone ? known : makeLines(face, levelBits, instead);
+    }
+    const LightLine* allLines() const { return lines_.all(); }
 
     // Of an object: 0 to 256 for each channel.
     const LightColour& ofObject(int index);
@@ -53,10 +62,10 @@ private:
     };
     static_assert(sizeof(Record) == 40);
 
-    // Nodes that a frame has asked for lately; faces share places.
+    // Nodes that have been asked for lately; faces share places.
     struct Recent {
         std::uint64_t key = 0;
-        std::uint32_t frame = 0;
+        std::uint32_t change = 0;
         FaceNodes nodes;
     };
     static constexpr std::size_t kRecent = 4096;  // a power of two
@@ -80,12 +89,12 @@ private:
     Record& recordOf(std::uint64_t key);
     void makeRecord(const LitFaceAt& face, const LitArea& area, Record& record);
     FaceNodes nodesIn(const Record& record) const;
+    std::uint32_t makeLines(LitFaceAt face, int levelBits, const LitFaceAt& instead);
 
     LightScene scene_;
     LightSamples samples_;
     std::uint32_t change_ = 0;                 // counts what has changed
     std::array<std::uint32_t, 64> changes_{};  // by place bit: the last change there
-    std::uint32_t frame_ = 0;
 
     std::vector<Record> records_;
     std::vector<std::uint64_t> keys_;   // of the records' faces
@@ -95,6 +104,7 @@ private:
     std::vector<LitObject> objects_;
     FaceNodes outside_;
     LitImages images_;
+    LightLines lines_;
 };
 
 // The maps of a world with baked light; what is known is kept from frame to frame.

@@ -119,7 +119,14 @@ void lightAll(Pixel* out, const Pixel* texels, std::size_t first, std::size_t la
               const LightColour& light) {
     const Rgba all = {static_cast<std::uint32_t>(light[0]), static_cast<std::uint32_t>(light[1]),
                       static_cast<std::uint32_t>(light[2]), 256};
-    for (std::size_t i = first; i < last; ++i) out[i] = litTexel(texels[i], all);
+    const auto twice = (U16x8)narrowed(all, all);
+    std::size_t i = first;
+    for (; i + 4 <= last; i += 4) {
+        const U8x16 bytes = loadVector<U8x16>(texels + i);
+        storeVector(out + i,
+                    upperBytes(lowBytes(bytes) * twice + 128, highBytes(bytes) * twice + 128));
+    }
+    for (; i < last; ++i) out[i] = litTexel(texels[i], all);
 }
 
 }  // namespace slicecast

@@ -2,6 +2,7 @@
 
 #include "render/lit_planes.h"
 #include "render/lit_texels.h"
+#include "render/smooth_light.h"
 
 #include <algorithm>
 
@@ -268,15 +269,15 @@ Pixel SlicePainter::texelAt(const PlaneRun& run, const TextureLevel& level,
     const Plane& plane = run.look->plane;
     const std::uint32_t u = texelIn(point.east, plane.east, level.bits);
     std::uint32_t v = texelIn(point.south, plane.south, level.bits);
-    if (!run.isLit()) {
-        if (plane.southReversed) v = static_cast<std::uint32_t>(level.size - 1) - v;
-        return level.texels[(u << level.bits) | v];
-    }
-    const Pixel* const texels = litSquare(run, level, point.tileX, point.tileY, u, v);
-    if (plane.southReversed) v = static_cast<std::uint32_t>(level.size - 1) - v;
-    const int bits = litSquareBits(level.bits);
-    const std::uint32_t within = (1u << bits) - 1;
-    return texels[(u & within) << bits | (v & within)];
+    const std::uint32_t shown =
+        plane.southReversed ? static_cast<std::uint32_t>(level.size - 1) - v : v;
+    const Pixel texel = level.texels[u << level.bits | shown];
+    if (!run.isLit()) return texel;
+    const auto place = [&](std::uint32_t at, Coordinate shift) {
+        return (middleOf(static_cast<int>(at), level.size) + shift.raw) & 65535;
+    };
+    return litAt(texel, planeNodes(run, point.tileX, point.tileY), place(u, plane.east),
+                 place(v, plane.south));
 }
 
 // Paints rows one by one, slowly: those near tile borders, blocks that have moved sideways, and the

@@ -56,8 +56,8 @@ private:
     // lit_rows.cpp
     const Pixel* fetchLitRows(const PlaneRun& run, int first, int last, const TextureLevel& level,
                               const PlaneLine& line, const double* inverseOffsets) const;
-    static const Pixel* litSquare(const PlaneRun& run, const TextureLevel& level, int tileX,
-                                  int tileY, std::uint32_t u, std::uint32_t v);
+    static std::uint32_t linesOf(const PlaneRun& run, int levelBits, std::uint32_t tileX,
+                                 std::uint32_t tileY);
     Pixel texelAt(const PlaneRun& run, const TextureLevel& level,
                   const PlanePoints::Point& point) const;
     // smooth_paint.cpp: the same where texels are blended

@@ -49,4 +49,17 @@ inline U32x4 lowHalves(F64x2 a, F64x2 b) {
 #endif
 }
 
+// The high 32 bits of them.
+inline U32x4 highHalves(F64x2 a, F64x2 b) {
+    U32x4 highA;
+    U32x4 highB;
+    std::memcpy(&highA, &a, sizeof highA);
+    std::memcpy(&highB, &b, sizeof highB);
+#if defined(__clang__)
+    return __builtin_shufflevector(highA, highB, 1, 3, 5, 7);
+#else
+    return __builtin_shuffle(highA, highB, U32x4{1, 3, 5, 7});
+#endif
+}
+
 }  // namespace slicecast

@@ -1,6 +1,8 @@
 // Lit columns against the formula, one texel at a time, and what is kept of them.
 #include "render/lit_texels.h"
 #include "base/random.h"
+#include "render/lanes.h"
+#include "render/light_lines.h"
 #include "render/lit_images.h"
 
 #include <gtest/gtest.h>
@@ -108,9 +110,9 @@ struct Images {
     }
 };
 
-TEST(LitImages, AreMadeOnceAndAskedForInEachFrame) {
+TEST(LitImages, AreMadeOnceAndAskedForAfterEachChange) {
     Images kept;
-    kept.images.beginFrame();
+    kept.images.beginFrame(true);
     EXPECT_EQ(kept.find(5), nullptr);
     const Pixel* const made = kept.make(5);
     EXPECT_EQ(kept.find(5), made);
@@ -119,15 +121,63 @@ TEST(LitImages, AreMadeOnceAndAskedForInEachFrame) {
     lightColumn(column.data(), 9, 0, 64, {kept.level, LitFace::floor, {}, {}}, kept.nodes);
     EXPECT_TRUE(std::equal(column.begin(), column.end(), made + 9 * 64));
 
-    kept.images.beginFrame();
+    kept.images.beginFrame(false);
+    EXPECT_EQ(kept.find(5), made);
+    kept.images.beginFrame(true);
     EXPECT_EQ(kept.find(5), nullptr) << "its light may have changed";
     const std::vector<Pixel> before(made, made + 4096);
     kept.nodes = nodesByChance(kept.random);
     EXPECT_EQ(kept.make(5), made);
     EXPECT_TRUE(std::equal(before.begin(), before.end(), made)) << "from the same light";
-    kept.images.beginFrame();
+    kept.images.beginFrame(true);
     EXPECT_EQ(kept.make(5, {1, 2}), made) << "takes its old place";
     EXPECT_FALSE(std::equal(before.begin(), before.end(), made)) << "from other light";
+}
+
+// Ends of lines, weighted, against the formula.
+TEST(LightLines, HoldTheLightOfTheirTexels) {
+    Random random(11);
+    LightLines lines;
+    lines.beginFrame();
+    for (int bits = 0; bits <= 10; ++bits) {
+        const FaceNodes nodes = nodesByChance(random);
+        const std::uint64_t key = LightLines::keyOf({bits, 3, 1, LitFace::top}, bits);
+        EXPECT_EQ(lines.find(key, 1), LightLines::kNone);
+        const std::uint32_t first = lines.make(key, 1, bits, nodes, 1);
+        EXPECT_EQ(lines.find(key, 1), first);
+        EXPECT_EQ(lines.find(key, 2), LightLines::kNone) << "its light may have changed";
+        const int size = 1 << bits;
+        for (int u = 0; u < size; u += std::max(1, size / 9)) {
+            for (int v = 0; v < size; v += std::max(1, size / 7)) {
+                const int a = placeOf(u, size, false, 0);
+                const int b = placeOf(v, size, false, 0);
+                const int line = (bits > 0 ? b >> 15 : 0) * size + u;
+                const auto weight = static_cast<std::uint32_t>((b & 32767) >> 8);
+                const U32x4 sum = dotPairs(
+                    loadVector<U32x4>(lines.all() + first + static_cast<std::size_t>(line)),
+                    allLanes((128 - weight) | weight << 16));
+                Pixel lit = 0;
+                for (int channel = 0; channel < 4; ++channel) {
+                    const std::uint32_t light = (sum[channel] >> 14) + (sum[channel] >> 21);
+                    lit |= (200 * light + 128) >> 8 << (8 * channel);
+                }
+                ASSERT_EQ(lit, litByFormula(0xc8c8c8c8, nodes, a, b))
+                    << size << " texels, at " << u << ' ' << v;
+            }
+        }
+    }
+}
+
+TEST(LightLines, AreMadeAgainFromOtherNodesOnly) {
+    Random random(12);
+    LightLines lines;
+    const FaceNodes nodes = nodesByChance(random);
+    const std::uint32_t first = lines.make(7, 1, 3, nodes, 1);
+    const auto before = lines.all()[first + 5].ends;
+    EXPECT_EQ(lines.make(7, 2, 3, nodesByChance(random), 1), first);
+    EXPECT_EQ(lines.all()[first + 5].ends, before) << "from the same light";
+    EXPECT_EQ(lines.make(7, 3, 3, nodesByChance(random), 3), first);
+    EXPECT_NE(lines.all()[first + 5].ends, before) << "from other light";
 }
 
 // Somebody walks over a large map: 200 tiles are seen at a time.
@@ -137,7 +187,7 @@ TEST(LitImages, KeepAtMostTwiceWhatAPictureNeeds) {
     std::size_t most = 0;
     std::size_t first = 0;
     for (int step = 0; step < 2000; ++step) {
-        kept.images.beginFrame();
+        kept.images.beginFrame(true);
         for (int tile = step; tile < step + kSeen; ++tile) {
             if (kept.find(tile) == nullptr) kept.make(tile);
         }
