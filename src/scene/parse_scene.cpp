@@ -57,10 +57,7 @@ void readScene(Reading& reading, JsonValue root) {
     placePaths(reading);
     placeObjects(reading);
     placeQuest(reading, fields->find("game"));
-    if (checker.count() == 0) {
-        findHiddenThings(reading);
-        warnOfUnusedBlueprints(reading);
-    }
+    if (checker.count() == 0) findHiddenThings(reading);
     placeVariants(reading);
 }
 

@@ -277,26 +277,10 @@ void readBlueprints(Reading& reading, JsonValue value) {
                              {"a name of 1 to ", kMaxNameLength, " characters"});
         }
         reading.blueprints.add(member.key(), static_cast<BlueprintId>(blueprints.size()));
+        reading.addAim(Aim::What::block, member, blueprints.size());
         blueprints.push_back(readBlueprint(reading, member));
-        reading.blueprintValues.push_back(member);
     }
     findFollowedGates(reading);
-}
-
-void warnOfUnusedBlueprints(Reading& reading) {
-    const World& world = reading.description.world;
-    std::vector<bool> isUsed(world.blueprints.size());
-    for (const Map& map : world.maps) {
-        for (const BlueprintId id : map.cells) {
-            isUsed[id] = true;
-            isUsed[world.blueprints[id].origin] = true;
-        }
-    }
-    for (std::size_t i = 0; i < reading.blueprintValues.size(); ++i) {
-        if (isUsed[i + 1]) continue;
-        reading.checker.warn(reading.blueprintValues[i], "a blueprint that stands in no map",
-                             "its letter of the legend in the rows of a level");
-    }
 }
 
 }  // namespace slicecast

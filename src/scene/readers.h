@@ -98,7 +98,6 @@ struct Reading {
     std::vector<FollowedGate> followed = {};
     std::vector<PortalList> portals = {};
     std::vector<JsonValue> mapValues = {};
-    std::vector<JsonValue> blueprintValues = {};  // from the world's second blueprint on
     std::vector<PlacedThing> things = {};
     std::vector<std::vector<TextureId>> pictures = {};  // of textures with variants, by TextureId
     FoundValue variants = {};                           // the last list of variants
@@ -182,9 +181,6 @@ void checkMotion(Reading& reading, JsonValue value, const CellBlueprint& bluepri
 
 // "blueprints": { NAME: { bottom, top, faces, join, motion, gate } }
 void readBlueprints(Reading& reading, JsonValue value);
-
-// Warns of blueprints that stand nowhere. Call it when all maps have been read.
-void warnOfUnusedBlueprints(Reading& reading);
 
 // "maps": [ { name, legend, levels, floor, ceiling, objects, sow, portals, sky, light, fog, haze,
 // far } ]; `legend` is the one of all maps.

@@ -43,11 +43,12 @@ struct ParsedScene {
 ParsedScene parseScene(std::string_view text, const std::string& fileName);
 
 // What a player is to get to, and where the file states it: some of the world's finds, a notice,
-// the gates of a kind, or the goal. For findUnreached in unreached.h.
+// the gates of a kind, the goal, or a block. For findUnreached in unreached.h.
 struct Aim {
-    enum class What : std::uint8_t { finds, notice, gates, goal };
+    enum class What : std::uint8_t { finds, notice, gates, goal, block };
     What what = What::finds;
-    std::size_t first = 0;  // index into Quest::finds, Quest::notices or World::gateKinds
+    // Index into Quest::finds, Quest::notices, World::gateKinds or World::blueprints
+    std::size_t first = 0;
     std::size_t count = 1;
     Fault place;  // without words
 };

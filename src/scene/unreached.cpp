@@ -67,6 +67,14 @@ std::string unreachedGates(const World& world, const Footways& ways, std::size_t
     return "";
 }
 
+bool standsSomewhere(const World& world, std::size_t block) {
+    return std::any_of(world.maps.begin(), world.maps.end(), [&](const Map& map) {
+        return std::any_of(map.cells.begin(), map.cells.end(), [&](BlueprintId id) {
+            return id == block || world.blueprints[id].origin == block;
+        });
+    });
+}
+
 std::string unreached(const World& world, const Footways& ways, const Aim& aim) {
     switch (aim.what) {
         case Aim::What::finds:
@@ -76,6 +84,7 @@ std::string unreached(const World& world, const Footways& ways, const Aim& aim) 
         case Aim::What::gates:
             return unreachedGates(world, ways, aim.first);
         case Aim::What::goal:
+        case Aim::What::block:
             break;
     }
     const std::optional<Goal>& goal = world.quest.goal;
@@ -88,13 +97,22 @@ std::string unreached(const World& world, const Footways& ways, const Aim& aim) 
 std::vector<Fault> findUnreached(const LoadedScene& scene) {
     std::vector<Fault> warnings;
     if (!scene.world || scene.aims.empty()) return warnings;
-    const Footways ways(*scene.world);
-    for (const Aim& aim : scene.aims) {
-        std::string found = unreached(*scene.world, ways, aim);
-        if (found.empty()) continue;
+    const auto warn = [&](const Aim& aim, std::string found, const char* expected) {
         Fault& warning = warnings.emplace_back(aim.place);
         warning.found = std::move(found);
-        warning.expected = kWay;
+        warning.expected = expected;
+    };
+    std::optional<Footways> ways;
+    for (const Aim& aim : scene.aims) {
+        if (aim.what == Aim::What::block) {
+            if (!standsSomewhere(*scene.world, aim.first))
+                warn(aim, "a blueprint that stands in no map",
+                     "its letter of the legend in the rows of a level");
+            continue;
+        }
+        if (!ways) ways.emplace(*scene.world);
+        std::string found = unreached(*scene.world, *ways, aim);
+        if (!found.empty()) warn(aim, std::move(found), kWay);
     }
     mergeSort(warnings, [](const Fault& a, const Fault& b) {
         return std::tie(a.line, a.column) < std::tie(b.line, b.column);

@@ -1,5 +1,5 @@
 // Warns of what a scene has that no player can get to on foot: finds, messages, gates, and the
-// goal.
+// goal. And of blueprints that stand nowhere.
 //
 //     for (const Fault& warning : findUnreached(loaded)) ...
 //

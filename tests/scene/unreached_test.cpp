@@ -52,6 +52,14 @@ TEST(Unreached, IsNothingWhereThereIsAWay) {
 )") << "number keys lead to what else is in the loft";
 }
 
+TEST(Unreached, MayBeABlockThatStandsNowhere) {
+    const std::string lines = unreachedAfter(
+        {{R"("blueprints": {)", R"("blueprints": { "spare": { "faces": "brick" },)"}});
+    EXPECT_EQ(lines.substr(0, lines.find('\n')),
+              "test.json:8:28 (/blueprints/spare): found a blueprint that stands in no map, "
+              "expected its letter of the legend in the rows of a level");
+}
+
 TEST(Unreached, MayMove) {
     const std::string lines = unreachedAfter(
         {{R"("find": "key",)", R"("find": "key", "motion": { "kind": "wander", "speed": 1 },)"}});
