@@ -21,25 +21,23 @@ void LitImages::clear() {
     mostKept_ = 0;
 }
 
-const Pixel* LitImages::make(const LitSquare& square, const FaceNodes& nodes, Source source) {
-    const int bits = square.bits();
-    Image& image = imageOf(square.key());
+const Pixel* LitImages::make(const LitLevel& wanted, const FaceNodes& nodes, Source source) {
+    const int bits = wanted.level.bits;
+    Image& image = imageOf(wanted.key());
     image.change = change_;
     if (image.pixels == nullptr) {
         image.pixels = allocate(std::size_t{1} << (2 * bits));
-    } else if (image.source == source && image.shows(square)) {
+    } else if (image.source == source && image.shows(wanted)) {
         return image.pixels;
     }
-    image.from = square.level.texels.data();
-    image.shiftA = square.shiftA;
-    image.shiftB = square.shiftB;
+    image.from = wanted.level.texels.data();
+    image.shiftA = wanted.shiftA;
+    image.shiftB = wanted.shiftB;
     image.source = source;
     const int size = 1 << bits;
-    const int left = static_cast<int>(square.u) << bits;
-    const int top = static_cast<int>(square.v) << bits;
-    const FaceTexels texels(square.level, square.face.face, square.shiftA, square.shiftB);
+    const FaceTexels texels(wanted.level, wanted.face.face, wanted.shiftA, wanted.shiftB);
     for (int u = 0; u < size; ++u)
-        lightColumn(image.pixels + (u << bits), left + u, top, top + size, texels, nodes);
+        lightColumn(image.pixels + (u << bits), u, 0, size, texels, nodes);
     return image.pixels;
 }
 

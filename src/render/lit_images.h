@@ -1,4 +1,4 @@
-// Lit texels that are kept from frame to frame: squares of a face's texture, times the face's
+// Lit texels that are kept from frame to frame: levels of a side's texture, times the side's
 // light. Each is lit once, however often it is painted.
 #pragma once
 
@@ -12,23 +12,21 @@
 
 namespace slicecast {
 
-// A square of a level of detail on a face. The texture may have moved along the face's axes.
-struct LitSquare {
+// A level of detail on a side, of at most 64 texels: larger ones are lit as they are read. The
+// texture may have moved along the side's axes.
+struct LitLevel {
     LitFaceAt face;
     const TextureLevel& level;
-    std::uint32_t u = 0;  // of the square within the level, in squares
-    std::uint32_t v = 0;
     Coordinate shiftA;
     Coordinate shiftB;
 
-    int bits() const { return litSquareBits(level.bits); }
-    // Squares of one key take each other's place: those of other frames of a texture, or of a
+    // Levels of one key take each other's place: those of other frames of a texture, or of a
     // texture that has moved. Never 0: no face has this bit.
     std::uint64_t key() const {
-        return face.key() | std::uint64_t{v << 4 | u} << 56 |
-               static_cast<std::uint64_t>(level.bits) << 16 | 128;
+        return face.key() | static_cast<std::uint64_t>(level.bits) << 16 | 128;
     }
 };
+inline constexpr int kLitLevelBits = 6;
 
 class LitImages {
 public:
@@ -41,20 +39,20 @@ public:
     // How much is kept, pixels.
     std::size_t kept() const { return kept_; }
 
-    // The texels of a square that have been asked for since the light changed; else null. In the
-    // order of the level's: (u, v) of the square at (u << bits) + v.
-    const Pixel* find(const LitSquare& square) const {
-        const std::uint64_t key = square.key();
+    // The texels of a level that have been asked for since the light changed, in its order; else
+    // null.
+    const Pixel* find(const LitLevel& wanted) const {
+        const std::uint64_t key = wanted.key();
         std::size_t slot = slotOf(key);
         while (images_[slot].key != key) {
             if (images_[slot].key == 0) return nullptr;
             slot = (slot + 1) & (images_.size() - 1);
         }
         const Image& image = images_[slot];
-        return image.change == change_ && image.shows(square) ? image.pixels : nullptr;
+        return image.change == change_ && image.shows(wanted) ? image.pixels : nullptr;
     }
 
-    // What a square's light is made from. Two that are equal light a face equally.
+    // What a side's light is made from. Two that are equal light a face equally.
     struct Source {
         std::uint32_t record = 0;
         std::uint32_t made = 0;
@@ -62,7 +60,7 @@ public:
         friend bool operator==(const Source&, const Source&) = default;
     };
     // The same for the first time since then: lights them unless they are kept.
-    const Pixel* make(const LitSquare& square, const FaceNodes& nodes, Source source);
+    const Pixel* make(const LitLevel& wanted, const FaceNodes& nodes, Source source);
 
 private:
     struct Image {
@@ -74,9 +72,9 @@ private:
         Source source;
         Pixel* pixels = nullptr;
 
-        bool shows(const LitSquare& square) const {
-            return from == square.level.texels.data() && shiftA == square.shiftA &&
-                   shiftB == square.shiftB;
+        bool shows(const LitLevel& wanted) const {
+            return from == wanted.level.texels.data() && shiftA == wanted.shiftA &&
+                   shiftB == wanted.shiftB;
         }
     };
     // Pixels are allocated in pieces of so many.

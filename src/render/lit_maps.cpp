@@ -60,13 +60,11 @@ const FaceNodes* LitMap::findNodes(const LitFaceAt& face) {
     return &recent.nodes;
 }
 
-const Pixel* LitMap::makeTexels(LitSquare square, const LitFaceAt& instead) {
-    const bool isOutside = square.face.face == LitFace::outside;
-    const Record* record = isOutside ? nullptr : findRecord(square.face);
-    if (record == nullptr && !isOutside) record = findRecord(instead);
-    if (record == nullptr) return images_.make(square, outside_, {});
+const Pixel* LitMap::makeTexels(LitLevel wanted) {
+    const Record* const record = findRecord(wanted.face);
+    if (record == nullptr) return images_.make(wanted, outside_, {});
     const auto number = static_cast<std::uint32_t>(record - records_.data()) + 1;
-    return images_.make(square, nodesIn(*record), {number, record->made});
+    return images_.make(wanted, nodesIn(*record), {number, record->made});
 }
 
 std::uint32_t LitMap::makeLines(LitFaceAt face, int levelBits, const LitFaceAt& instead) {

@@ -29,12 +29,12 @@ public:
         return recent.key == key && recent.change == change_ ? &recent.nodes : findNodes(face);
     }
 
-    // The lit texels of a square of a face: see LitImages::find. Valid until the next call of
+    // The lit texels of a level on a side: see LitImages::find. Valid until the next call of
     // makeTexels.
-    const Pixel* knownTexels(const LitSquare& square) const { return images_.find(square); }
-    // Those that are not known yet; of `instead`, or else of kOutside, if there is no such face.
-    // Not inline: its arguments would have to be in memory also where they are known.
-    const Pixel* makeTexels(LitSquare square, const LitFaceAt& instead);
+    const Pixel* knownTexels(const LitLevel& wanted) const { return images_.find(wanted); }
+    // Those that are not known yet; those of kOutside if there is no such face. By value, or what
+    // is wanted would have to be in memory also where the texels are known.
+    const Pixel* makeTexels(LitLevel wanted);
 
     // The index in allLines() of a face's first line, for texels of a level of that many bits; if
     // there is no such face, of that of `instead`, or else of kOutside. Valid until the next frame.

@@ -46,13 +46,6 @@ struct FaceTexels {
 void lightColumn(Pixel* out, int u, int first, int last, const FaceTexels& texels,
                  const FaceNodes& nodes);
 
-// Lit texels are kept in squares of so many bits a side, or less if the level is smaller: see
-// lit_images.h.
-inline constexpr int kLitSquareBits = 6;
-constexpr int litSquareBits(int levelBits) {
-    return levelBits < kLitSquareBits ? levelBits : kLitSquareBits;
-}
-
 // The light of weighted sums of nodes: 0 to 256.
 inline U32x4 lightInSteps(U32x4 sum) {
     return (sum >> 14) + (sum >> 21);

@@ -115,10 +115,10 @@ TexelColumn SlicePainter::litColumn(const Span& span) {
                             static_cast<LitFace>(span.face)};
     const TextureLevel& level = frame_.textures[span.image].levels[column.detail];
     const auto u = static_cast<int>((column.texels - level.texels.data()) >> level.bits);
-    if (level.bits <= kLitSquareBits) {
-        const LitSquare square = {face, level, 0, 0, span.slide, span.rise};
-        const Pixel* texels = span.vista->lit->knownTexels(square);
-        if (texels == nullptr) texels = span.vista->lit->makeTexels(square, face);
+    if (level.bits <= kLitLevelBits) {
+        const LitLevel shown = {face, level, span.slide, span.rise};
+        const Pixel* texels = span.vista->lit->knownTexels(shown);
+        if (texels == nullptr) texels = span.vista->lit->makeTexels(shown);
         column.texels = texels + (u << level.bits);
         return column;
     }

@@ -103,10 +103,10 @@ struct Images {
     FaceNodes nodes = nodesByChance(random);
 
     const Pixel* make(int tile, LitImages::Source source = {1, 1}, Coordinate shift = {}) {
-        return images.make({{tile, 0, 0, LitFace::floor}, level, 0, 0, shift, {}}, nodes, source);
+        return images.make({{tile, 0, 0, LitFace::floor}, level, shift, {}}, nodes, source);
     }
     const Pixel* find(int tile, Coordinate shift = {}) const {
-        return images.find({{tile, 0, 0, LitFace::floor}, level, 0, 0, shift, {}});
+        return images.find({{tile, 0, 0, LitFace::floor}, level, shift, {}});
     }
 };
 
