@@ -11,9 +11,8 @@ bool PlanWalk::isEyeMovedOn(bool alongX) const {
     return alongX ? eye_.turn % 3 == 0 : eye_.turn < 2;
 }
 
-// An edge that the eye is on counts as crossed: nothing is drawn at t = 0, so it does not matter on
-// which side of it the ray starts. An edge along the ray has always been crossed, or never is;
-// there it matters.
+// An edge that the eye is on has been crossed if the eye counts as moved past it. An edge along the
+// ray has always been crossed, or never is.
 Crossing PlanWalk::edge(int tile, Coordinate at, bool alongX) const {
     const double direction = alongX ? ray_.x : ray_.y;
     const double from = alongX ? eye_.tileX() + eye_.fractionX() : eye_.tileY() + eye_.fractionY();
@@ -25,7 +24,8 @@ Crossing PlanWalk::edge(int tile, Coordinate at, bool alongX) const {
         return never;
     }
     Crossing crossing = walk_.innerCrossing(alongX, direction < 0.0 ? -ahead : ahead);
-    if (crossing.distance <= 0.0) crossing.along = -kNever;
+    if (crossing.distance < 0.0 || (crossing.distance == 0.0 && crossing.early))
+        crossing.along = -kNever;
     return crossing;
 }
 
@@ -58,13 +58,14 @@ bool PlanWalk::isBefore(const Crossing& a, const Crossing& b) const {
     return southward(a) > southward(b);
 }
 
-// If the eye is on the cut, either answer will do: what would differ is met at t = 0.
+// Where the eye counts as moved to if it is on a cut.
 bool PlanWalk::isEyeIn(Half half) const {
     const std::int64_t x = eye_.x - std::int64_t{walk_.tileX} * 65536;
     const std::int64_t y = eye_.y - std::int64_t{walk_.tileY} * 65536;
     const bool isFalling = isCutFalling(half);
     const std::int64_t eastward = isFalling ? x - y : x + y - 65536;
-    return (eastward > 0) == isEastern(half);
+    const bool isEast = eastward > 0 || (eastward == 0 && isEyeMovedOn(isFalling));
+    return isEast == isEastern(half);
 }
 
 // Where the ray crosses a half's cut: between the tile's borders, also where the quotient is

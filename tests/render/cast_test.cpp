@@ -123,6 +123,13 @@ TEST(Cast, MeetsWhatFillsAPartOfATileWhereItStands) {
     EXPECT_TRUE(cast(world, at(from(4.125, 1.5, 0.0), 0.5)).hits.at(0).entered);
     EXPECT_EQ(cast(world, at(from(4.75, 1.5, 180.0), 0.5)).hits.at(0).face, Face::east);
     EXPECT_TRUE(cast(world, at(from(4.75, 1.5, 90.0), 0.5)).hits.empty());
+    // On its edges the eye counts as a trifle further east
+    const CastRay onEastEdge = cast(world, at(from(4.5, 1.5, 180.0), 0.5));
+    EXPECT_TRUE(onEastEdge.hits.at(0).entered);
+    EXPECT_EQ(onEastEdge.hits[0].distance, 0.0);
+    EXPECT_EQ(onEastEdge.hits[0].backDistance, 0.25);
+    EXPECT_FALSE(cast(world, at(from(4.25, 1.5, 0.0), 0.5)).hits.at(0).entered);
+    EXPECT_EQ(cast(world, at(from(4.5, 1.5, 0.0), 0.5)).hits.at(0).x, 6.25) << "the post";
 }
 
 TEST(Cast, MeetsTheCutOfAHalf) {
