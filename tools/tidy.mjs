@@ -70,6 +70,8 @@ mkdirSync(cache, { recursive: true });
 const folders = [path.join(kRepo, 'src'), path.join(path.resolve(build), 'src')];
 const entries = JSON.parse(readFileSync(path.join(build, 'compile_commands.json'), 'utf8'))
   .filter(({ file }) => folders.some((folder) => file.startsWith(folder + path.sep)))
+  // The judge compiles the renderer once more, for its mutations
+  .filter(({ command }) => command.includes(' -o src/'))
   .filter(({ file }, i, all) => all.findIndex((other) => other.file === file) === i);
 if (entries.length === 0) {
   console.error(`tidy: ${build} compiles nothing of ${folders[0]}`);
