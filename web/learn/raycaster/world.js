@@ -84,12 +84,12 @@ function readTexture(name, texture, images, leftOut) {
 
 function plainTexture(name, text) {
   const colour = readColour(text);
-  const levels = [8, 4, 2, 1].map((size) => {
+  const levels = [64, 32, 16, 8, 4, 2, 1].map((size) => {
     const texels = new Uint8ClampedArray(4 * size * size);
     for (let start = 0; start < texels.length; start += 4) texels.set(colour, start);
     return { width: size, height: size, texels };
   });
-  return { name, height: 8, seeThrough: false, levels };
+  return { name, height: 64, seeThrough: false, levels };
 }
 
 function hasHoles(texels) {
