@@ -1,5 +1,5 @@
 // Sows objects and checks that moving ones have room, once all maps, portals and the start are
-// known.
+// known; and finds what is hidden in blocks.
 #include "scene/limits.h"
 #include "scene/readers.h"
 #include "world/collision.h"
@@ -68,6 +68,31 @@ void placeObjects(Reading& reading) {
             } else {
                 reading.addAim(Aim::What::finds, order.value, finds, count);
             }
+        }
+    }
+}
+
+void findHiddenThings(Reading& reading) {
+    const World& world = reading.description.world;
+    for (const PlacedThing& thing : reading.things) {
+        const Map& map = world.maps[thing.map];
+        const int x = thing.x.tile();
+        const int y = thing.y.tile();
+        const int level = thing.z.tile();
+        if (!map.contains(x, y) || !map.isOccupied(x, y, level)) continue;
+        const BlueprintId id = map.cell(x, y, level);
+        const CellBlueprint& block = world.blueprints[id];
+        const auto isWithin = [](Coordinate at, int tile, Coordinate low, Coordinate high) {
+            return at - tileEdge(tile) >= low && at - tileEdge(tile) < high;
+        };
+        if (block.plan.half == Half::none && !block.slopes.any() && block.isStill() &&
+            isWithin(thing.x, x, block.plan.west, block.plan.east) &&
+            isWithin(thing.y, y, block.plan.north, block.plan.south) &&
+            isWithin(thing.z, level, block.bottom, block.top)) {
+            reading.description.hiddenThings.push_back(
+                {id, reading.checker.faultAt(thing.value,
+                                             {thing.what, " inside the block ", quoted(block.name)},
+                                             "a place in the open")});
         }
     }
 }

@@ -88,31 +88,6 @@ LampId readLamp(Reading& reading, JsonValue value) {
     return static_cast<LampId>(kinds.size() - 1);
 }
 
-void findHiddenThings(Reading& reading) {
-    const World& world = reading.description.world;
-    for (const PlacedThing& thing : reading.things) {
-        const Map& map = world.maps[thing.map];
-        const int x = thing.x.tile();
-        const int y = thing.y.tile();
-        const int level = thing.z.tile();
-        if (!map.contains(x, y) || !map.isOccupied(x, y, level)) continue;
-        const BlueprintId id = map.cell(x, y, level);
-        const CellBlueprint& block = world.blueprints[id];
-        const auto isWithin = [](Coordinate at, int tile, Coordinate low, Coordinate high) {
-            return at - tileEdge(tile) >= low && at - tileEdge(tile) < high;
-        };
-        if (block.plan.half == Half::none && !block.slopes.any() && block.isStill() &&
-            isWithin(thing.x, x, block.plan.west, block.plan.east) &&
-            isWithin(thing.y, y, block.plan.north, block.plan.south) &&
-            isWithin(thing.z, level, block.bottom, block.top)) {
-            reading.description.hiddenThings.push_back(
-                {id, reading.checker.faultAt(thing.value,
-                                             {thing.what, " inside the block ", quoted(block.name)},
-                                             "a place in the open")});
-        }
-    }
-}
-
 void readBakedLight(Reading& reading, JsonValue value, bool hasSize, Map& map) {
     const auto fields = reading.checker.fields(value, {"sun", "ambient", "lamps"},
                                                "an object with \"sun\", \"ambient\" and \"lamps\"");

@@ -156,6 +156,9 @@ void readSowing(Reading& reading, JsonValue value);
 // Sows objects and checks that moving ones have room. Call it when everything else has been read.
 void placeObjects(Reading& reading);
 
+// Finds lamps, objects and points of paths within blocks, once all maps are read.
+void findHiddenThings(Reading& reading);
+
 // A PNG file's name, relative to the scene.
 std::optional<std::string> readFileName(Checker& checker, JsonValue value);
 
@@ -207,8 +210,6 @@ void readFog(Reading& reading, JsonValue value, Fog& fog);
 // "lamp" of a face or an object, and the same keys of a map's lamps.
 LampKind readLampKind(const Fields& fields);
 LampId readLamp(Reading& reading, JsonValue value);
-// Finds lamps, objects and points of paths within blocks, once all maps are read.
-void findHiddenThings(Reading& reading);
 
 // "baked" of a map: { sun, ambient, lamps }
 void readBakedLight(Reading& reading, JsonValue value, bool hasSize, Map& map);

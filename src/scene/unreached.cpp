@@ -67,12 +67,14 @@ std::string unreachedGates(const World& world, const Footways& ways, std::size_t
     return "";
 }
 
-bool standsSomewhere(const World& world, std::size_t block) {
-    return std::any_of(world.maps.begin(), world.maps.end(), [&](const Map& map) {
-        return std::any_of(map.cells.begin(), map.cells.end(), [&](BlueprintId id) {
-            return id == block || world.blueprints[id].origin == block;
-        });
-    });
+// By BlueprintId: the blocks of the maps, and those that they were made from.
+std::vector<bool> standingBlocks(const World& world) {
+    std::vector<bool> stands(world.blueprints.size());
+    for (const Map& map : world.maps) {
+        for (const BlueprintId id : map.cells)
+            stands[id] = stands[world.blueprints[id].origin] = true;
+    }
+    return stands;
 }
 
 std::string unreached(const World& world, const Footways& ways, const Aim& aim) {
@@ -102,10 +104,11 @@ std::vector<Fault> findUnreached(const LoadedScene& scene) {
         warning.found = std::move(found);
         warning.expected = expected;
     };
+    const std::vector<bool> stands = standingBlocks(*scene.world);
     std::optional<Footways> ways;
     for (const Aim& aim : scene.aims) {
         if (aim.what == Aim::What::block) {
-            if (!standsSomewhere(*scene.world, aim.first))
+            if (!stands[aim.first])
                 warn(aim, "a blueprint that stands in no map",
                      "its letter of the legend in the rows of a level");
             continue;

@@ -86,12 +86,16 @@ TEST(Warnings, TellOfLampsInOpaqueBlocks) {
     EXPECT_EQ(lamp(R"("x": 0.5, "y": 1.5, "z": 1)").warnings.size(), 0u) << "on top of it";
 }
 
+LoadedScene loadWithSprite(const std::string& levels, const std::string& object) {
+    std::string text =
+        smallScene(levels, "\"objects\": [{ \"sprite\": \"tile\", " + object + " }]");
+    return loadText(text.insert(text.find("\"blueprints\""),
+                                "\"sprites\": { \"tile\": \"broken/images/tile.png\" }, "));
+}
+
 TEST(Warnings, TellOfObjectsInOpaqueBlocks) {
     const auto object = [](const std::string& place) {
-        std::string text = smallScene(R"([["###", "#..", "###"]])",
-                                      R"("objects": [{ "sprite": "tree", )" + place + " }]");
-        return loadText(text.insert(text.find("\"blueprints\""),
-                                    "\"sprites\": { \"tree\": \"broken/images/brick.png\" }, "));
+        return loadWithSprite(R"([["###", "#..", "###"]])", place);
     };
     const LoadedScene hidden = object(R"("x": 0.5, "y": 1.5, "height": 0.5)");
     ASSERT_EQ(hidden.warnings.size(), 1u) << inWords(hidden.faults);
@@ -109,13 +113,10 @@ TEST(Warnings, TellOfObjectsInOpaqueBlocks) {
 
 TEST(Warnings, TellOfPathsThroughOpaqueBlocks) {
     const auto path = [](const std::string& point) {
-        std::string text = smallScene(
-            R"([["####", "#..#", "####"]])",
-            R"("objects": [{ "sprite": "cat", "x": 1.5, "y": 1.5, "height": 0.5, "motion": {
-                "kind": "patrol", "speed": 1, "path": [{ "x": 2.5, "y": 1.5 }, )" +
-                point + "] } }]");
-        return loadText(text.insert(text.find("\"blueprints\""),
-                                    "\"sprites\": { \"cat\": \"broken/images/brick.png\" }, "));
+        return loadWithSprite(R"([["####", "#..#", "####"]])",
+                              R"("x": 1.5, "y": 1.5, "height": 0.5, "motion": {
+            "kind": "patrol", "speed": 1, "path": [{ "x": 2.5, "y": 1.5 }, )" +
+                                  point + "] }");
     };
     const LoadedScene hidden = path(R"({ "x": 3.5, "y": 1.5, "z": 0 })");
     ASSERT_EQ(hidden.warnings.size(), 1u) << inWords(hidden.faults);
