@@ -1,8 +1,11 @@
 // The renderer before the judge: random worlds and eyes, not one pixel that the tracer does not
 // see.
 #include "suite.h"
+#include "world_builder.h"
 
 #include <gtest/gtest.h>
+
+#include <utility>
 
 namespace slicecast::judge {
 namespace {
@@ -290,6 +293,57 @@ TEST(Judge, FindsOneWrongPixel) {
     ASSERT_EQ(verdict.complaints.size(), 1u);
     EXPECT_NE(verdict.complaints[0].find("pixel 40,20"), std::string::npos)
         << verdict.complaints[0];
+}
+
+// A hall that is full of panes, each with two faces: clear ones, and far behind them red ones.
+Scene hallOfPanes(int clear, int red) {
+    WorldBuilder make;
+    make.texture("grey", {90, 90, 90, 255});
+    make.texture("clear", {90, 90, 90, 1});
+    make.texture("red", {255, 0, 0, 200});
+    make.block('c', {.name = "clear", .texture = 1});
+    make.block('r', {.name = "red", .texture = 2});
+    for (CellBlueprint& block : make.world.blueprints) block.join = false;
+    make.map("hall", 3, 2 + clear + red, 1);
+    for (int i = 0; i < clear + red; ++i) {
+        for (int x = 0; x < 3; ++x) make.put(i < clear ? 'c' : 'r', x, 2 + i);
+    }
+    markSeeThrough(make.world);
+    View view;
+    view.x = toCoordinate(1.5);
+    view.y = toCoordinate(0.5);
+    view.z = toCoordinate(0.5);
+    view.headingDegrees = 90.0;  // south
+    view.width = 96;
+    view.height = 33;  // the middle row looks far along the hall
+    return {std::move(make.world), view};
+}
+
+Verdict verdictOf(const Scene& scene, const Image& image) {
+    return judge(scene.world, scene.view, image.pixels.data(), image.width, "hall");
+}
+
+// So many panes are too many for a column: the red ones are missing.
+TEST(Judge, TheFarthestLayersOfAFullColumnMayBeMissing) {
+    Renderer renderer;
+    const Scene scene = hallOfPanes(110, 20);
+    Image image = draw(renderer, scene.world, scene.view);
+    const Verdict verdict = verdictOf(scene, image);
+    expectNoComplaint(verdict);
+    EXPECT_GT(verdict.coverage.at("without the farthest layers"), 0);
+    image.at(48, 16) ^= 0x80;
+    EXPECT_EQ(verdictOf(scene, image).unexcused, 1);
+}
+
+TEST(Judge, NoLayerOfAnotherColumnMayBeMissing) {
+    Renderer renderer;
+    const Scene scene = hallOfPanes(30, 5);
+    Verdict verdict = verdictOf(scene, draw(renderer, scene.world, scene.view));
+    expectNoComplaint(verdict);
+    EXPECT_EQ(verdict.coverage.count("without the farthest layers"), 0u);
+    const Scene without = hallOfPanes(30, 0);
+    verdict = verdictOf(scene, draw(renderer, without.world, scene.view));
+    EXPECT_GT(verdict.unexcused, 0);
 }
 
 }  // namespace

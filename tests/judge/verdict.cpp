@@ -5,6 +5,9 @@
 #include <cmath>
 #include <cstdlib>
 #include <iterator>
+#include <set>
+#include <tuple>
+#include <utility>
 
 namespace slicecast::judge {
 namespace {
@@ -129,6 +132,53 @@ bool excusable(const Tracer& tracer, double x, double y, const std::vector<Sight
     return sights.size() > 1 && canShow(all, found);
 }
 
+// What a ray passed, as far as it tells the see-through things of one column from each other.
+using SeenThrough = std::tuple<int, bool, int, Sight::Kind, Face, bool, LitFace, int>;
+
+SeenThrough thingOf(const Sight& sight) {
+    return {sight.map,  sight.reflected,  sight.portals, sight.kind,
+            sight.face, sight.fromInside, sight.litFace, sight.object};
+}
+
+// Whether the rays of a column meet so many see-through things, in mirrors or before them, that the
+// farther ones are left out.
+bool isFull(const Tracer& tracer, double x, int height, bool reflected) {
+    // Of the most, which are 192 runs of rows: several may look like one.
+    constexpr int kThreeQuarters = 144;
+    int runs = 0;
+    std::set<SeenThrough> before;
+    std::vector<Sight> sights;
+    for (int y = 0; y < height && runs < kThreeQuarters; ++y) {
+        tracer.look(x, y + 0.5, sights);
+        std::set<SeenThrough> here;
+        for (const Sight& sight : sights) {
+            if (sight.seeThrough && sight.reflected == reflected) here.insert(thingOf(sight));
+        }
+        for (const SeenThrough& thing : here) runs += before.count(thing) == 0 ? 1 : 0;
+        before = std::move(here);
+    }
+    return runs >= kThreeQuarters;
+}
+
+// Whether the colour is shown without the farthest see-through things, and the column is full of
+// them.
+bool isWithoutTheFarthest(const Tracer& tracer, double x, int height, std::vector<Sight> sights,
+                          Colour found) {
+    for (const bool reflected : {true, false}) {
+        std::vector<Sight> left = sights;
+        bool isShown = false;
+        for (std::size_t i = left.size(); i-- > 0 && !isShown;) {
+            if (!left[i].seeThrough || left[i].reflected != reflected) continue;
+            left.erase(left.begin() + static_cast<std::ptrdiff_t>(i));
+            isShown = shows(tracer, left, found);
+        }
+        if (left.size() == sights.size() || !isFull(tracer, x, height, reflected)) continue;
+        if (isShown) return true;
+        sights = std::move(left);  // all of them may be missing, and others before the mirror
+    }
+    return false;
+}
+
 constexpr const char* kKinds[] = {"side",    "roof", "underside", "floor",
                                   "ceiling", "sky",  "haze",      "object"};
 
@@ -235,6 +285,10 @@ Verdict judge(const World& world, const View& view, const Pixel* pixels, int pit
             if (shows(tracer, sights, found)) continue;
             if (excusable(tracer, x + 0.5, y + 0.5, sights, found)) {
                 ++verdict.excused;
+                continue;
+            }
+            if (isWithoutTheFarthest(tracer, x + 0.5, view.height, sights, found)) {
+                ++verdict.coverage["without the farthest layers"];
                 continue;
             }
             ++verdict.unexcused;

@@ -4,8 +4,8 @@
 // at 32 points around its centre: in 8 directions at 1/64, 1/512, 1/4096 and 1/32768 of a pixel.
 // The pixel is excused only if the tracer sees its colour at one of them, or with a point moved
 // onto the border of a texel that it lies less than 1/2^32 before. The other side of a threshold on
-// the depth (level of detail, far, fog) is accepted within one part in a million. Any other
-// difference is a bug.
+// the depth (level of detail, far, fog) is accepted within one part in a million. In a column full
+// of see-through things the farthest may be missing. Any other difference is a bug.
 #pragma once
 
 #include "tracer.h"
