@@ -1,8 +1,8 @@
-// For the documentation pages: adds a copy button to each snippet of code.
+// For the documentation pages: adds a copy button to each snippet of code and each path.
 
 const kCopiedMilliseconds = 2000; // how long the button says "Copied"
 
-for (const snippet of document.querySelectorAll('.snippet:not(.drawing)')) {
+for (const snippet of document.querySelectorAll('.snippet:not(.drawing), .path')) {
   const button = document.createElement('button');
   button.type = 'button';
   button.textContent = 'Copy';

@@ -37,7 +37,7 @@ for (const [device, viewport, colorScheme] of [
       // Nothing is cut off either: wide content scrolls.
       const cut = await page.evaluate(() =>
         [...document.querySelectorAll('main *')]
-          .filter((node) => !node.closest('pre, .table, ray-caster, .reference thead'))
+          .filter((node) => !node.closest('pre, .table, .strip, ray-caster, .reference thead'))
           .filter(
             (node) => node.getBoundingClientRect().right > document.documentElement.clientWidth + 1,
           )

@@ -187,6 +187,9 @@ test('a snippet that does not load stops the build', async (t) => {
   await draw('right', '"blueprints": { "wall": { "faces": "brick" } }');
   await assert.rejects(draw('wrong', '"blueprints": { "wall": { "faces": "brik" } }'), /brik/);
   assert.throws(() => draw('broken', '"blueprints": {'), /picture broken/);
+  const unseen = new Pictures(folder);
+  unseen.addUnseen({ opens: 'unseen' }, '"blueprints": { "wall": { "faces": "brik" } }');
+  await assert.rejects(unseen.draw(), /brik/);
   const pictures = new Pictures(folder);
   assert.throws(() => pictures.add({ picture: 'silent' }, '', String), /silent has no alt/);
 });

@@ -4,7 +4,10 @@
 // - A link to another page names its source, `scenes.md#gates`; the built page has .html instead.
 // - A fence ```json picture=NAME alt="..."``` is drawn as a scene, beside the code: see
 //   pictures.mjs.
+// - A fence ```json opens=NAME``` is a scene too, but is not drawn.
 // - The comment <!-- scene-reference --> on a line of its own becomes the table of all scene keys.
+// - A fence ```pictures```, a fence with frames="..." and the comment <!-- other-pictures --> show
+//   shipped pictures: see catalogue.mjs.
 
 import anchor from 'markdown-it-anchor';
 import { createRequire } from 'node:module';
@@ -15,7 +18,7 @@ import { sceneReference } from './scene-reference.mjs';
 const require = createRequire(createRequire(import.meta.url).resolve('@11ty/eleventy'));
 const MarkdownIt = require('markdown-it');
 
-export function markdown(pictures) {
+export function markdown(pictures, catalogue) {
   const parser = new MarkdownIt({ html: true });
   parser.use(anchor, { level: [2, 3], slugify: slugOf, tabIndex: false });
   const { escapeHtml } = parser.utils;
@@ -30,17 +33,25 @@ export function markdown(pictures) {
 
   rules.fence = (tokens, index) => {
     const { content, info } = tokens[index];
+    const settings = settingsOf(info);
+    if (info.startsWith('pictures')) return catalogue.list(settings, content);
     // A block without a language is a drawing and gets no copy button.
     const kind = info === '' ? 'snippet drawing' : 'snippet';
     const snippet = `<div class="${kind}"><pre tabindex="0"><code>${escapeHtml(content)}</code></pre></div>\n`;
-    const settings = settingsOf(info);
-    return settings.picture === undefined
-      ? snippet
-      : `<figure class="scene">\n${pictures.add(settings, content, escapeHtml)}${snippet}</figure>\n`;
+    if (settings.picture !== undefined)
+      return `<figure class="scene">\n${pictures.add(settings, content, escapeHtml)}${snippet}</figure>\n`;
+    if (settings.opens === undefined) return snippet;
+    const { part, link } = pictures.addUnseen(settings, content);
+    const { frames } = settings;
+    if (frames === undefined) return `${snippet}<p class="opens">${link}</p>\n`;
+    const words = escapeHtml(String(frames));
+    return `${catalogue.sheets(frames, part)}<p>${words} ${link}</p>\n${snippet}`;
   };
 
   rules.html_block = (tokens, index) =>
-    tokens[index].content.replace('<!-- scene-reference -->', () => sceneReference());
+    tokens[index].content
+      .replace('<!-- scene-reference -->', () => sceneReference())
+      .replace('<!-- other-pictures -->', () => catalogue.others());
 
   // On phones the rows of a wide table are stacked, each cell under the title of its column.
   parser.core.ruler.push('tables', ({ tokens }) => {

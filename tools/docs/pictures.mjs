@@ -12,6 +12,9 @@
 //                       of a whole scene
 //     seconds=2.5       the time in the world at which to draw the picture
 //     live              a playable element instead of a picture
+//
+// A fence ```json opens=NAME``` is loaded and can be opened as well, but is not drawn. With
+// under=OTHER it is merged over OTHER.json.
 
 import { encode } from 'fast-png';
 import { existsSync, mkdirSync, readFileSync, writeFileSync } from 'node:fs';
@@ -24,7 +27,7 @@ const kStepsPerSecond = 120;
 
 export class Pictures {
   #folder; // of the built page
-  #all = new Map(); // name -> {scene, view, seconds}
+  #all = new Map(); // name -> {scene, view, seconds, isDrawn}
 
   constructor(folder) {
     this.#folder = folder;
@@ -37,29 +40,41 @@ export class Pictures {
     escapeHtml,
   ) {
     if (alt === undefined) throw new Error(`web/docs: the picture ${name} has no alt="...".`);
-    if (this.#all.has(name)) throw new Error(`web/docs: two pictures are named ${name}.`);
-    const part = parsePart(snippet, name);
-    const isWhole = snippet.startsWith('{');
-    const under = isWhole ? [] : [partOf('base'), partOf(name)];
-    const layers = [...under, place === 'map' ? { maps: [part] } : part];
-    const scene = layers.reduce((lower, upper) => laidOver(lower, upper));
-    const view = ownView ?? (isWhole ? null : kView);
-    this.#all.set(name, { scene: movedDown(scene), view, seconds: Number(seconds) });
+    const { view, address } = this.#add(name, snippet, { place, ownView, seconds, isDrawn: true });
     const from = view === null ? '' : ` view="${view}"`;
-    const fromHere = view === null ? '' : `&amp;view=${view}`;
     const words = escapeHtml(alt);
     const image = (loading) =>
       `<img src="scenes/${name}.png" alt="${words}" width="${kSize.width}" height="${kSize.height}"${loading}>`;
     return live
       ? `<ray-caster scene="scenes/${name}.json" poster="scenes/${name}.png"${from} controls label="${words}">${image('')}</ray-caster>\n`
-      : `<a class="open" href="../index.html?scene=docs/scenes/${name}.json${fromHere}">${image(' loading="lazy"')}<span>Open</span></a>\n`;
+      : `<a class="open" href="${address}">${image(' loading="lazy"')}<span>Open</span></a>\n`;
+  }
+
+  // Registers a snippet that is not drawn: {part, link}, what it says and the HTML of a link to it.
+  addUnseen({ opens: name, under, in: place, view: ownView }, snippet) {
+    const { part, address } = this.#add(name, snippet, { place, ownView, under, isDrawn: false });
+    return { part, link: `<a href="${address}">Open it in the player.</a>` };
+  }
+
+  // Returns {part, view, address}: what the snippet says, and where in the player it can be seen.
+  #add(name, snippet, { place, ownView, seconds = 0, under = name, isDrawn }) {
+    if (this.#all.has(name)) throw new Error(`web/docs: two pictures are named ${name}.`);
+    const part = parsePart(snippet, name);
+    const isWhole = snippet.startsWith('{');
+    const below = isWhole ? [] : [partOf('base'), partOf(under)];
+    const layers = [...below, place === 'map' ? { maps: [part] } : part];
+    const scene = layers.reduce((lower, upper) => laidOver(lower, upper));
+    const view = ownView ?? (isWhole ? null : kView);
+    this.#all.set(name, { scene: movedDown(scene), view, seconds: Number(seconds), isDrawn });
+    const fromHere = view === null ? '' : `&amp;view=${view}`;
+    return { part, view, address: `../index.html?scene=docs/scenes/${name}.json${fromHere}` };
   }
 
   async draw() {
     const { load } = await import(pathToFileURL(path.join(this.#folder, 'node/index.js')));
     const scenes = path.join(this.#folder, 'docs/scenes');
     mkdirSync(scenes, { recursive: true });
-    for (const [name, { scene, view, seconds }] of this.#all) {
+    for (const [name, { scene, view, seconds, isDrawn }] of this.#all) {
       const file = path.join(scenes, `${name}.json`);
       writeFileSync(file, `${JSON.stringify(scene, null, 2)}\n`);
       const running = await load(file);
@@ -68,8 +83,10 @@ export class Pictures {
       if (view !== null && !running.look(view))
         throw new Error(`web/docs, picture ${name}: no eye can be at ${view}.`);
       if (seconds > 0) running.step(Math.round(seconds * kStepsPerSecond));
-      const png = encode(withoutAlpha(running.pixels(kSize)), { zlib: { level: 9 } });
-      writeFileSync(path.join(scenes, `${name}.png`), png);
+      if (isDrawn) {
+        const png = encode(withoutAlpha(running.pixels(kSize)), { zlib: { level: 9 } });
+        writeFileSync(path.join(scenes, `${name}.png`), png);
+      }
       running.free();
     }
   }

@@ -3,6 +3,7 @@
 
 import { readFileSync } from 'node:fs';
 
+import { Catalogue } from './catalogue.mjs';
 import { markdown } from './markdown.mjs';
 import { Pictures } from './pictures.mjs';
 
@@ -12,7 +13,7 @@ const kVersion = /project\(Slicecast VERSION ([0-9.]+)/;
 export function configure(config, folder) {
   const pictures = new Pictures(folder);
 
-  config.setLibrary('md', markdown(pictures));
+  config.setLibrary('md', markdown(pictures, new Catalogue()));
   config.setIncludesDirectory('../../tools/docs');
   config.setTemplateFormats(['md']);
   config.addGlobalData('layout', 'page.njk');
