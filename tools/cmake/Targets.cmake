@@ -52,10 +52,11 @@ function(slicecastTestHeader)
   endif()
 endfunction()
 
-# slicecastTest(NAME SHARDS COUNT SOURCES FILE... WITH LIBRARY...): a GoogleTest program. Shards let
-# a long one run on several cores.
+# slicecastTest(NAME [SHARDS COUNT] [LONG] SOURCES FILE... WITH LIBRARY...): a GoogleTest program.
+# Shards let a long one run on several cores. Long ones begin first, or at the end one core would be
+# left with one of them.
 function(slicecastTest name)
-  cmake_parse_arguments(test "" "SHARDS" "SOURCES;WITH" ${ARGN})
+  cmake_parse_arguments(test "LONG" "SHARDS" "SOURCES;WITH" ${ARGN})
   find_package(GTest REQUIRED)
   if(NOT TARGET slicecast_test_header)
     slicecastTestHeader()
@@ -70,18 +71,23 @@ function(slicecastTest name)
     # Some files at a time: they share most headers.
     set_target_properties(${name} PROPERTIES UNITY_BUILD ON UNITY_BUILD_BATCH_SIZE 5)
   endif()
+  set(cost 0)
+  if(test_LONG)
+    set(cost 1)
+  endif()
   # tools/test counts the cases from the results that each run leaves behind.
   set(results "GTEST_OUTPUT=json:${PROJECT_BINARY_DIR}/results")
   if(NOT test_SHARDS)
     add_test(NAME ${name} COMMAND ${name} WORKING_DIRECTORY ${PROJECT_SOURCE_DIR})
-    set_tests_properties(${name} PROPERTIES LABELS gtest ENVIRONMENT "${results}/${name}.json")
+    set_tests_properties(${name} PROPERTIES LABELS gtest COST ${cost}
+      ENVIRONMENT "${results}/${name}.json")
     return()
   endif()
   foreach(shard RANGE 1 ${test_SHARDS})
     math(EXPR index "${shard} - 1")
     set(shardName ${name}_${shard}_of_${test_SHARDS})
     add_test(NAME ${shardName} COMMAND ${name} WORKING_DIRECTORY ${PROJECT_SOURCE_DIR})
-    set_tests_properties(${shardName} PROPERTIES LABELS gtest
+    set_tests_properties(${shardName} PROPERTIES LABELS gtest COST ${cost}
       ENVIRONMENT "GTEST_TOTAL_SHARDS=${test_SHARDS};GTEST_SHARD_INDEX=${index};${results}/${shardName}.json")
   endforeach()
 endfunction()
