@@ -29,13 +29,29 @@ bool isOnTheWay(const World& world, const Footways& ways, int map) {
                           {{}, tileEdge(grid.width), {}, tileEdge(grid.depth), {}, kMaxBodyHeight});
 }
 
+// How far a player gets.
+std::string nearest(const World& world, const Footways& ways, int map, const Box& box) {
+    const std::optional<Footways::Place> place = ways.nearestTo(map, box);
+    if (!place)
+        return words("; nobody gets into the map \"",
+                     world.maps[static_cast<std::size_t>(map)].name, "\" on foot");
+    return words("; the nearest place that one gets to is x ", Shortest{place->x + 0.5}, ", y ",
+                 Shortest{place->y + 0.5}, ", z ", Fixed{place->feet.value(), 2});
+}
+
 std::string unreachedFinds(const World& world, const Footways& ways, const Aim& aim) {
     std::size_t missed = 0;
     for (std::size_t i = aim.first; i < aim.first + aim.count; ++i) missed += !ways.takes(i);
     if (missed == 0) return "";
     const FindKind& kind = world.quest.kinds[world.quest.finds[aim.first].kind];
     const std::string name = words("\"", kind.name, "\"");
-    if (aim.count == 1) return words("a find ", name, " that nobody can reach on foot");
+    if (aim.count == 1) {
+        const Find& find = world.quest.finds[aim.first];
+        const Map& map = world.maps[static_cast<std::size_t>(find.map)];
+        const Box body = objectBody(map.objects[static_cast<std::size_t>(find.object)]);
+        return words("a find ", name, " that nobody can reach on foot",
+                     nearest(world, ways, find.map, body));
+    }
     return words("sown finds ", name, " of which nobody can reach ", missed, " of ", aim.count,
                  " on foot");
 }
@@ -49,7 +65,7 @@ std::string unreachedNotice(const World& world, const Footways& ways, const Noti
     }
     if (!isOnTheWay(world, ways, notice.map) || ways.comesWithin(notice.map, box, notice.near))
         return "";
-    return "a message that nobody can come near on foot";
+    return "a message that nobody can come near on foot" + nearest(world, ways, notice.map, box);
 }
 
 // What follows others, or opens at times, may be out of reach.
@@ -62,7 +78,8 @@ std::string unreachedGates(const World& world, const Footways& ways, std::size_t
             continue;
         const Map& map = world.maps[static_cast<std::size_t>(gate.map)];
         return words("a gate at x ", gate.bounds.west.tile(), ", y ", gate.bounds.north.tile(),
-                     " of the map \"", map.name, "\" that nobody can open on foot");
+                     " of the map \"", map.name, "\" that nobody can open on foot",
+                     nearest(world, ways, gate.map, gate.boxes.front()));
     }
     return "";
 }
@@ -91,7 +108,7 @@ std::string unreached(const World& world, const Footways& ways, const Aim& aim) 
     }
     const std::optional<Goal>& goal = world.quest.goal;
     if (!goal || !goal->map || ways.comesInto(*goal->map, goal->area)) return "";
-    return "a goal that nobody can reach on foot";
+    return "a goal that nobody can reach on foot" + nearest(world, ways, *goal->map, goal->area);
 }
 
 }  // namespace

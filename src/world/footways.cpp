@@ -6,7 +6,6 @@
 #include "world/water.h"
 
 #include <algorithm>
-#include <optional>
 #include <span>
 #include <utility>
 
@@ -413,6 +412,29 @@ bool Footways::comesInto(int map, const Box& box) const {
                    [&](int, int, const Room& room) {
                        return room.ground <= box.top && room.high + kStandingEye >= box.bottom;
                    });
+}
+
+std::optional<Footways::Place> Footways::nearestTo(int map, const Box& box) const {
+    const auto square = [](Coordinate at, Coordinate low, Coordinate high) {
+        const double gap = std::max({0.0, low.value() - at.value(), at.value() - high.value()});
+        return gap * gap;
+    };
+    const Map& grid = world_.maps[static_cast<std::size_t>(map)];
+    std::optional<Place> nearest;
+    double least = 0.0;
+    anyRoom(map, {{}, tileEdge(grid.width), {}, tileEdge(grid.depth), {}, kMaxBodyHeight},
+            [&](int x, int y, const Room& room) {
+                const Coordinate middle = {32768};
+                const double distance = square(tileEdge(x) + middle, box.west, box.east) +
+                                        square(tileEdge(y) + middle, box.north, box.south) +
+                                        square(room.feet, box.bottom, box.top);
+                if (!nearest || distance < least) {
+                    nearest = {x, y, room.feet};
+                    least = distance;
+                }
+                return false;
+            });
+    return nearest;
 }
 
 bool Footways::isMet(const Gate& gate) const {

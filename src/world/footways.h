@@ -19,6 +19,7 @@
 
 #include <cstddef>
 #include <cstdint>
+#include <optional>
 #include <queue>
 #include <vector>
 
@@ -40,6 +41,15 @@ public:
     bool comesWithin(int map, const Box& box, Coordinate distance) const;
     // True if a player's middle gets into the box, which has the edges of tiles.
     bool comesInto(int map, const Box& box) const;
+
+    // Where a player can stand: the middle of a tile.
+    struct Place {
+        int x = 0;  // tile
+        int y = 0;
+        Coordinate feet;
+    };
+    // The nearest such place to the box; none if nobody gets into the map.
+    std::optional<Place> nearestTo(int map, const Box& box) const;
 
     // True if a player gets to where the gate hears keys, or notices who comes.
     bool isMet(const Gate& gate) const;

@@ -29,14 +29,14 @@ std::string unreachedAfter(std::initializer_list<std::pair<const char*, const ch
 TEST(Unreached, IsFoundWhereTheFileStatesIt) {
     EXPECT_EQ(
         unreachedAfter({}),
-        R"(test.json:11:51 (/blueprints/door/gate): found a gate at x 10, y 1 of the map "yard" that nobody can open on foot
-test.json:24:72 (/maps/0/objects/1/find): found a find "coin" that nobody can reach on foot
-test.json:25:72 (/maps/0/objects/2/find): found a find "key" that nobody can reach on foot
-test.json:26:22 (/maps/0/objects/2/message): found a message that nobody can come near on foot
+        R"(test.json:11:51 (/blueprints/door/gate): found a gate at x 10, y 1 of the map "yard" that nobody can open on foot; the nearest place that one gets to is x 5.5, y 1.5, z 0.00
+test.json:24:72 (/maps/0/objects/1/find): found a find "coin" that nobody can reach on foot; the nearest place that one gets to is x 5.5, y 1.5, z 0.00
+test.json:25:72 (/maps/0/objects/2/find): found a find "key" that nobody can reach on foot; the nearest place that one gets to is x 5.5, y 2.5, z 0.00
+test.json:26:22 (/maps/0/objects/2/message): found a message that nobody can come near on foot; the nearest place that one gets to is x 5.5, y 2.5, z 0.00
 test.json:29:9 (/maps/0/sow/0): found sown finds "berry" of which nobody can reach 1 of 2 on foot
-test.json:33:9 (/maps/0/messages/1): found a message that nobody can come near on foot
-test.json:40:82 (/maps/1/objects/0/find): found a find "coin" that nobody can reach on foot
-test.json:44:50 (/game/at): found a goal that nobody can reach on foot
+test.json:33:9 (/maps/0/messages/1): found a message that nobody can come near on foot; the nearest place that one gets to is x 5.5, y 1.5, z 0.00
+test.json:40:82 (/maps/1/objects/0/find): found a find "coin" that nobody can reach on foot; nobody gets into the map "loft" on foot
+test.json:44:50 (/game/at): found a goal that nobody can reach on foot; the nearest place that one gets to is x 5.5, y 1.5, z 0.00
 )");
 }
 
@@ -48,7 +48,7 @@ TEST(Unreached, IsNothingWhereThereIsAWay) {
     EXPECT_EQ(unreachedAfter({way, loft}), "");
     EXPECT_EQ(
         unreachedAfter({way}),
-        R"(test.json:40:82 (/maps/1/objects/0/find): found a find "coin" that nobody can reach on foot
+        R"(test.json:40:82 (/maps/1/objects/0/find): found a find "coin" that nobody can reach on foot; nobody gets into the map "loft" on foot
 )") << "number keys lead to what else is in the loft";
 }
 
