@@ -168,14 +168,19 @@ const LightColour& LitMap::ofObject(int index) {
 }
 
 void LitMaps::beginFrame(const World& world, bool on) {
+    world_ = &world;
+    on_ = on;
     maps_.resize(world.maps.size());
-    for (std::size_t i = 0; i < maps_.size(); ++i) {
-        Entry& entry = maps_[i];
-        entry.on = on && world.maps[i].baked.on;
-        if (!entry.on) continue;
-        if (entry.map == nullptr) entry.map = std::make_unique<LitMap>();
-        entry.map->beginFrame(world, world.maps[i]);
-    }
+    for (Entry& entry : maps_) entry.hasBegun = false;
+}
+
+void LitMaps::begin(int map, Entry& entry) {
+    const Map& grid = world_->maps[static_cast<std::size_t>(map)];
+    entry.hasBegun = true;
+    entry.on = on_ && grid.baked.on;
+    if (!entry.on) return;
+    if (entry.map == nullptr) entry.map = std::make_unique<LitMap>();
+    entry.map->beginFrame(*world_, grid);
 }
 
 }  // namespace slicecast

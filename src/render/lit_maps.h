@@ -110,12 +110,13 @@ private:
 // The maps of a world with baked light; what is known is kept from frame to frame.
 class LitMaps {
 public:
-    // `on` is RenderOptions::baked.
+    // `on` is RenderOptions::baked. The world must outlive the frame.
     void beginFrame(const World& world, bool on);
 
     // Null if the map has no baked light.
     LitMap* of(int map) {
-        const Entry& entry = maps_[static_cast<std::size_t>(map)];
+        Entry& entry = maps_[static_cast<std::size_t>(map)];
+        if (!entry.hasBegun) begin(map, entry);
         return entry.on ? entry.map.get() : nullptr;
     }
 
@@ -126,10 +127,16 @@ public:
     }
 
 private:
+    // Maps begin when they are first seen in a frame: most of a world's never are.
     struct Entry {
         std::unique_ptr<LitMap> map;
+        bool hasBegun = false;  // this frame
         bool on = false;
     };
+    void begin(int map, Entry& entry);
+
+    const World* world_ = nullptr;
+    bool on_ = false;
     std::vector<Entry> maps_;
     std::vector<Pixel> scratch_;
 };

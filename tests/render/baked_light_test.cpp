@@ -13,9 +13,10 @@ namespace {
 constexpr int kWidth = 96;
 constexpr int kHeight = 64;
 
-Image draw(Renderer& renderer, const World& world, const RenderOptions& options = {}) {
+Image draw(Renderer& renderer, const World& world, const RenderOptions& options = {}, int map = 0) {
     Image image(kWidth, kHeight);
     Eye eye;
+    eye.map = map;
     eye.x = toCoordinate(1.3);
     eye.y = toCoordinate(4.4);
     eye.z = toCoordinate(1.7);
@@ -69,6 +70,22 @@ TEST(BakedLight, WhatIsKeptIsWhatAFreshRendererDraws) {
         before = image;
     }
     EXPECT_GT(changes, 5);
+}
+
+// A map that no frame shows takes no part in it.
+TEST(BakedLight, FollowsWhatMovesWhileAnotherMapIsSeen) {
+    Yard yard;
+    yard.map("elsewhere", 8, 7, 1);
+    Renderer kept;
+    const Image before = draw(kept, yard.world);
+    for (int step = 0; step < 100; ++step) {
+        stepWorld(yard.world, {}, {});
+        draw(kept, yard.world, {}, 1);
+    }
+    Renderer fresh;
+    const Image after = draw(kept, yard.world);
+    EXPECT_EQ(after.pixels, draw(fresh, yard.world).pixels);
+    EXPECT_NE(after.pixels, before.pixels);
 }
 
 TEST(BakedLight, FollowsEditsOfBlocks) {
