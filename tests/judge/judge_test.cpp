@@ -238,7 +238,7 @@ TEST(Judge, FullSizePictures) {
 // Many rays meet borders and edges exactly here, where either side may be right by the tracer's
 // neighbours; these count apart.
 TEST(Judge, PicturesMadeToTie) {
-    const Verdict verdict = judgeAll(tieScene, 1, 800 / kShare, kSmallSizes);
+    const Verdict verdict = judgeAll(tieScene, 1, 600 / kShare, kSmallSizes);
     report("pictures made to tie", verdict);
     expectNoComplaint(verdict);
     EXPECT_LE(static_cast<double>(verdict.excused), 0.005 * static_cast<double>(verdict.pixels));

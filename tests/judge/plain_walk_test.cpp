@@ -325,15 +325,15 @@ TEST(PlainWalk, FindsTheSameWhereRaysMeetEdgesExactly) {
 constexpr std::array kWideSizes = {Size{200, 40}, Size{333, 60}, Size{640, 30}};
 
 TEST(PlainWalk, FindsTheSameInWidePictures) {
-    EXPECT_EQ(compareAll(randomScene, "wide random scenes", kWideSizes, 300 / kShare).differences,
+    EXPECT_EQ(compareAll(randomScene, "wide random scenes", kWideSizes, 150 / kShare).differences,
               0);
-    EXPECT_EQ(compareAll(tieScene, "wide scenes made to tie", kWideSizes, 300 / kShare).differences,
+    EXPECT_EQ(compareAll(tieScene, "wide scenes made to tie", kWideSizes, 150 / kShare).differences,
               0);
 }
 
 TEST(PlainWalk, FindsTheSameOverWideLand) {
     EXPECT_EQ(compareAll(wideLandScene, "wide land", kSmallSizes, 400 / kShare).differences, 0);
-    EXPECT_EQ(compareAll(wideLandScene, "wide land, wide", kWideSizes, 300 / kShare).differences,
+    EXPECT_EQ(compareAll(wideLandScene, "wide land, wide", kWideSizes, 150 / kShare).differences,
               0);
 }
 
