@@ -21,7 +21,7 @@
 
 #ifdef SLICECAST_SANITIZED
 #include <sanitizer/allocator_interface.h>
-#else
+#elif defined(__GLIBC__)
 #include <malloc.h>
 #endif
 
@@ -33,17 +33,19 @@ constexpr int kWidth = 40;
 constexpr int kHeight = 24;
 constexpr std::int64_t kStepsPerLeg = 40;    // with one input
 constexpr std::int64_t kLegsPerChange = 60;  // of map, mode or place
-// KB, from the first tenth of the frames to the end; what is known of light grows as maps are seen.
-constexpr std::int64_t kMostGrowth = 10 << 10;
+// KB, from half of the frames to the end; what is known of light grows as maps are seen.
+constexpr std::int64_t kMostGrowth = 5 << 10;
 
-// KB that the program has allocated and not freed. The system's figure would not do: it holds what
-// was freed and is kept for later too, and sanitizers keep up to 256 MB of that.
+// KB that the program has allocated and not freed; 0 where only the system's figure is known. That
+// would not do: it counts what was freed and is kept for later, and sanitizers keep up to 256 MB.
 std::int64_t memoryInUse() {
 #ifdef SLICECAST_SANITIZED
     return static_cast<std::int64_t>(__sanitizer_get_current_allocated_bytes() >> 10);
-#else
+#elif defined(__GLIBC__)
     const struct mallinfo2 heap = mallinfo2();
     return static_cast<std::int64_t>((heap.uordblks + heap.hblkhd) >> 10);
+#else
+    return 0;
 #endif
 }
 
@@ -116,7 +118,8 @@ public:
           drawn_(world.copy()),
           undrawn_(world.copy()),
           pixels_(std::size_t{kWidth} * kHeight),
-          forInputs_(hashOf(name_)),
+          // The same play wherever the project lies
+          forInputs_(hashOf(name_.substr(name_.find_last_of('/') + 1))),
           forChanges_(forInputs_.next()) {}
 
     // False, and a line on standard error, if something is wrong.
@@ -185,7 +188,7 @@ int main(int count, char** words) {
     const std::int64_t each = (frames + count - 3) / (count - 2);
     std::int64_t before = 0;
     for (std::int64_t n = 0; n < each; ++n) {
-        if (n == each / 10) before = memoryInUse();
+        if (n == each / 2) before = memoryInUse();
         for (const auto& soak : soaks)
             if (!soak->frame()) return 1;
     }
