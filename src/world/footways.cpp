@@ -424,7 +424,7 @@ std::optional<Footways::Place> Footways::nearestTo(int map, const Box& box) cons
     double least = 0.0;
     anyRoom(map, {{}, tileEdge(grid.width), {}, tileEdge(grid.depth), {}, kMaxBodyHeight},
             [&](int x, int y, const Room& room) {
-                const Coordinate middle = {32768};
+                const Coordinate middle = toCoordinate(0.5);
                 const double distance = square(tileEdge(x) + middle, box.west, box.east) +
                                         square(tileEdge(y) + middle, box.north, box.south) +
                                         square(room.feet, box.bottom, box.top);

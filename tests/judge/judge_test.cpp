@@ -296,7 +296,7 @@ TEST(Judge, FindsOneWrongPixel) {
         << verdict.complaints[0];
 }
 
-// A hall that is full of panes, each with two faces: clear ones, and far behind them red ones.
+// A hall full of panes, each with two faces: clear ones, and behind them red ones.
 Scene hallOfPanes(int clear, int red) {
     WorldBuilder make;
     make.texture("grey", {90, 90, 90, 255});
@@ -324,7 +324,7 @@ Verdict verdictOf(const Scene& scene, const Image& image) {
     return judge(scene.world, scene.view, image.pixels.data(), image.width, "hall");
 }
 
-// So many panes are too many for a column: the red ones are missing.
+// These are more than a column can show: the red ones are missing.
 TEST(Judge, TheFarthestLayersOfAFullColumnMayBeMissing) {
     Renderer renderer;
     const Scene scene = hallOfPanes(110, 20);

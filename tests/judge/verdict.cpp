@@ -143,7 +143,7 @@ SeenThrough thingOf(const Sight& sight) {
 // Whether the rays of a column meet so many see-through things, in mirrors or before them, that the
 // farther ones are left out.
 bool isFull(const Tracer& tracer, double x, int height, bool reflected) {
-    // Of the most, which are 192 runs of rows: several may look like one.
+    // Of 192 runs of rows, the most that there are: two that touch look like one.
     constexpr int kThreeQuarters = 144;
     int runs = 0;
     std::set<SeenThrough> before;

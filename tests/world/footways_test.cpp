@@ -35,6 +35,24 @@ TEST(Footways, ClimbAsHighAsAJump) {
     }
 }
 
+// Both tiles are as near from the side; the step is nearer from below.
+TEST(Footways, TellTheNearestPlace) {
+    World world = hallway(4);
+    putBlock(world, 1, 0, {}, 0.75_u);
+    for (const int level : {0, 1, 2, 3})
+        putBlock(world, 2, 0, tileEdge(level), tileEdge(level + 1));
+    const Footways ways(world);
+    const auto place = ways.nearestTo(0, {0.9_u, 1.1_u, {}, 1.0_u, 2.0_u, 3.0_u});
+    ASSERT_TRUE(place);
+    EXPECT_EQ(place->x, 1);
+    EXPECT_EQ(place->y, 0);
+    EXPECT_EQ(place->feet, 0.75_u);
+    const auto behindWall = ways.nearestTo(0, tileBox(3, 0));
+    ASSERT_TRUE(behindWall);
+    EXPECT_EQ(behindWall->x, 1);
+    EXPECT_FALSE(Footways(world).comesInto(0, tileBox(3, 0)));
+}
+
 TEST(Footways, NeedRoomForACrouchedBody) {
     for (const auto& [bottom, isReached] : {std::pair{0.36_u, true}, {0.34_u, false}}) {
         World world = hallway(3, 1);

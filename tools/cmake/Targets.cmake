@@ -53,8 +53,8 @@ function(slicecastTestHeader)
 endfunction()
 
 # slicecastTest(NAME [SHARDS COUNT] [LONG] SOURCES FILE... WITH LIBRARY...): a GoogleTest program.
-# Shards let a long one run on several cores. Long ones begin first, or at the end one core would be
-# left with one of them.
+# Shards let a long one run on several cores. LONG ones begin first: whichever begins last keeps the
+# other cores waiting.
 function(slicecastTest name)
   cmake_parse_arguments(test "LONG" "SHARDS" "SOURCES;WITH" ${ARGN})
   find_package(GTest REQUIRED)
