@@ -74,13 +74,16 @@ std::string WindowShell::open(App& app, const std::string& title) {
     app_ = &app;
     if (SDL_Init(SDL_INIT_VIDEO) != 0) return sdlFault("cannot use a screen");
     const Size size = settings_.picture.value_or(kFirstWindow);
-    const Uint32 flags = SDL_WINDOW_RESIZABLE | (settings_.fullscreen ? kFullscreen : 0u);
+    const Uint32 flags =
+        SDL_WINDOW_HIDDEN | SDL_WINDOW_RESIZABLE | (settings_.fullscreen ? kFullscreen : 0u);
     title_ = title;
     window_.reset(SDL_CreateWindow(shownTitle().c_str(), SDL_WINDOWPOS_CENTERED,
                                    SDL_WINDOWPOS_CENTERED, size.width, size.height, flags));
     if (!window_) return sdlFault("cannot open a window");
+    // SDL may make a second window here in place of the first: shown only now, none blinks.
     if (SDL_GetWindowSurface(window_.get()) == nullptr)
         return sdlFault("cannot draw in the window");
+    SDL_ShowWindow(window_.get());
     SDL_StopTextInput();
     // Works with keys alone if this fails.
     SDL_InitSubSystem(SDL_INIT_GAMECONTROLLER);
