@@ -108,7 +108,8 @@ for (const ratio of [1, 1.25])
       () => getComputedStyle(document.getElementById('bar')).opacity === '0',
     );
     await frames(page);
-    const shot = `data:image/png;base64,${(await page.screenshot()).toString('base64')}`;
+    const png = await page.screenshot({ animations: 'disabled' });
+    const shot = `data:image/png;base64,${png.toString('base64')}`;
     const different = await page.evaluate(async (address) => {
       const image = await createImageBitmap(await (await fetch(address)).blob());
       const copy = new OffscreenCanvas(image.width, image.height).getContext('2d');
