@@ -26,6 +26,16 @@ newestLine() {
     awk 'NF { line = $0 } END { print line }'
 }
 
+# steadyNode ARGUMENT...: runs Node, and once more if Node itself crashes, as it may when it begins to
+# run WebAssembly (https://github.com/nodejs/node/issues/64500).
+steadyNode() {
+  local status=0
+  node "$@" || status=$?
+  if ((status != 139)); then return "$status"; fi
+  say "  Node crashed; it runs again."
+  node "$@"
+}
+
 # progress TITLE COMMAND...: runs the command with its output in a log. On a terminal it shows the
 # log's newest line beside the title; elsewhere it prints a line every 15 seconds. After a failure
 # it prints the whole log, else the compiler's warnings.

@@ -2,15 +2,18 @@
 
 #include <gtest/gtest.h>
 
+#include <unistd.h>
+
 #include <filesystem>
 #include <fstream>
+#include <string>
 
 namespace slicecast {
 namespace {
 
 TEST(FindScene, TheOpeningSceneIsTheFirstOfTheList) {
-    const std::filesystem::path folder =
-        std::filesystem::path(testing::TempDir()) / "slicecast-opening";
+    const std::filesystem::path folder = std::filesystem::path(testing::TempDir()) /
+                                         ("slicecast-opening-" + std::to_string(getpid()));
     std::filesystem::remove_all(folder);
     std::filesystem::create_directories(folder / "scenes");
     EXPECT_EQ(findOpeningScene(folder), std::filesystem::path());

@@ -21,13 +21,17 @@ export const noScreen = ['Xvfb', 'xdotool'].some((name) => spawnSync(name, ['-he
   ? 'Xvfb and xdotool are needed'
   : false;
 
-// Looks again and again until `look` gives something; fails with `what` after ten seconds.
-export async function eventually(what, look) {
-  for (const begin = Date.now(); Date.now() - begin < 10000; await sleep(30)) {
+// Looks again and again until `look` gives something; fails with `what` after some seconds.
+export async function eventually(what, look, seconds = 20) {
+  for (
+    const begin = performance.now();
+    performance.now() - begin < 1000 * seconds;
+    await sleep(30)
+  ) {
     const found = await look();
     if (found) return found;
   }
-  throw new Error(`${what}: not within 10 s`);
+  throw new Error(`${what}: not within ${seconds} s`);
 }
 
 export class Screen {
@@ -106,9 +110,11 @@ export class Screen {
 
   async close() {
     for (const started of this.#programs) started.kill();
-    const ended = new Promise((done) => this.#server.once('exit', done));
-    this.#server.kill();
-    await ended;
+    if (this.#server.exitCode === null && this.#server.signalCode === null) {
+      const ended = new Promise((done) => this.#server.once('exit', done));
+      this.#server.kill();
+      await ended;
+    }
     rmSync(this.#folder, { recursive: true, force: true });
   }
 }

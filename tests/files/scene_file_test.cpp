@@ -8,7 +8,7 @@
 #include <sys/stat.h>
 #include <unistd.h>
 
-#include <chrono>
+#include <ctime>
 #include <filesystem>
 #include <fstream>
 #include <functional>
@@ -98,7 +98,7 @@ TEST_F(SceneFile, FaultsHaveTheNameFromTheCaller) {
 }
 
 TEST_F(SceneFile, AnythingButARegularFileIsAFault) {
-    const auto start = std::chrono::steady_clock::now();
+    const std::clock_t start = std::clock();
     for (const Bad& bad : badFiles(kMaxSceneBytes)) {
         fs::remove_all(scene());
         bad.make(scene());
@@ -108,12 +108,12 @@ TEST_F(SceneFile, AnythingButARegularFileIsAFault) {
         EXPECT_EQ(describe(loaded.faults[0]), scene().string() + ": found a path that " +
                                                   bad.found + ", expected a scene file");
     }
-    EXPECT_LT(std::chrono::steady_clock::now() - start, std::chrono::seconds(1));
+    EXPECT_LT(std::clock() - start, CLOCKS_PER_SEC);
     EXPECT_EQ(readSceneFile("").faults.size(), 1u);
 }
 
 TEST_F(SceneFile, FaultsSayWhyImagesCannotBeRead) {
-    const auto start = std::chrono::steady_clock::now();
+    const std::clock_t start = std::clock();
     for (const Bad& bad : badFiles(kMaxImageBytes)) {
         fs::remove_all(image());
         bad.make(image());
@@ -123,7 +123,7 @@ TEST_F(SceneFile, FaultsSayWhyImagesCannotBeRead) {
         EXPECT_EQ(loaded.faults[0].found, "\"brick.png\", which " + bad.found);
         EXPECT_EQ(loaded.faults[0].line, 2);
     }
-    EXPECT_LT(std::chrono::steady_clock::now() - start, std::chrono::seconds(1));
+    EXPECT_LT(std::clock() - start, CLOCKS_PER_SEC);
 }
 
 TEST_F(SceneFile, AMissingImageMayHaveANameLikeIt) {
@@ -143,9 +143,14 @@ TEST(ReadWholeFile, ReportsTheErrorOfTheSystem) {
     EXPECT_EQ(file.fault.substr(0, 16), "cannot be read: ") << file.fault;
 }
 
+// Of this process alone.
+fs::path ownPath(const std::string& name) {
+    return fs::path(testing::TempDir()) / (name + "-" + std::to_string(getpid()));
+}
+
 TEST(ReadWholeFile, AnUnreadableFileIsAFault) {
     if (geteuid() == 0) GTEST_SKIP() << "root may read everything";
-    const fs::path path = fs::path(testing::TempDir()) / "slicecast-locked";
+    const fs::path path = ownPath("slicecast-locked");
     std::ofstream(path) << "secret";
     fs::permissions(path, fs::perms::none);
     EXPECT_EQ(readWholeFile(path, 100).fault, "cannot be read: Permission denied");
@@ -153,7 +158,7 @@ TEST(ReadWholeFile, AnUnreadableFileIsAFault) {
 }
 
 TEST(ReadWholeFile, ReadsUpToTheLimit) {
-    const fs::path path = fs::path(testing::TempDir()) / "slicecast-limit";
+    const fs::path path = ownPath("slicecast-limit");
     std::ofstream(path) << "12345";
     EXPECT_EQ(readWholeFile(path, 5).text(), "12345");
     EXPECT_EQ(readWholeFile(path, 4).fault, "has 5 bytes; at most 4 are read");

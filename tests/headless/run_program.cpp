@@ -46,6 +46,7 @@ TestFolder::TestFolder() {
     static std::atomic<int> count{0};
     path_ = std::filesystem::temp_directory_path() /
             ("slicecast-test-" + std::to_string(getpid()) + "-" + std::to_string(count++));
+    std::filesystem::remove_all(path_);  // of a stopped process that had the number
     std::filesystem::create_directories(path_);
 }
 

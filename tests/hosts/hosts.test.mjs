@@ -18,6 +18,7 @@ import webpack from 'webpack';
 
 import { launch } from '../browser/browser.mjs';
 import { serve } from '../browser/static-server.mjs';
+import { crashToo } from '../node/crash.mjs';
 
 const hosts = fileURLToPath(new URL('.', import.meta.url));
 const root = path.join(hosts, '../..');
@@ -141,7 +142,7 @@ function runTool(file, words) {
   return run(process.execPath, [path.join(hosts, 'node_modules', file), ...words], {
     ...toolOptions,
     timeout: kToolMilliseconds,
-  });
+  }).catch(crashToo);
 }
 
 // Starts a server: returns its address, once printed, and a function that stops it.
@@ -348,7 +349,9 @@ test('an app that React renders on the server and in the browser', async () => {
     define: { 'process.env.NODE_ENV': '"production"' },
     plugins: [slicecast()],
   });
-  const { stdout } = await run(process.execPath, [path.join(hosts, 'react/server.mjs')]);
+  const { stdout } = await run(process.execPath, [path.join(hosts, 'react/server.mjs')]).catch(
+    crashToo,
+  );
   assert.match(
     stdout,
     /<ray-caster scene="first-walk" size="320x200" controls="" label="The first walk"><\/ray-caster>/,
@@ -403,7 +406,7 @@ test('a site that VitePress builds, its pages drawn on the server', async () => 
 test('a program under Node', async () => {
   const file = path.join(built, 'first-walk.png');
   await mkdir(built, { recursive: true });
-  await run(process.execPath, [path.join(hosts, 'node/draw.mjs'), file]);
+  await run(process.execPath, [path.join(hosts, 'node/draw.mjs'), file]).catch(crashToo);
   const { decode } = await import('fast-png');
   const { width, height, data } = decode(await readFile(file));
   assert.deepEqual({ width, height, hash: hashOf(data) }, { ...kSize, hash: expected });

@@ -3,6 +3,8 @@
 
 #include <gtest/gtest.h>
 
+#include <unistd.h>
+
 #include <algorithm>
 #include <cmath>
 #include <filesystem>
@@ -240,7 +242,8 @@ TEST(Library, CopiesASceneWhenAsked) {
 }
 
 TEST(Library, SavesPictures) {
-    const auto file = std::filesystem::path(testing::TempDir()) / "slicecast-saved.png";
+    const auto file = std::filesystem::path(testing::TempDir()) /
+                      ("slicecast-saved-" + std::to_string(getpid()) + ".png");
     EXPECT_EQ(saveImage(corridor().picture(64, 40), file), "");
     EXPECT_GT(std::filesystem::file_size(file), 50u);
     std::filesystem::remove(file);

@@ -13,6 +13,7 @@ import { promisify } from 'node:util';
 import { Engine } from '../../build/web/engine/engine.js';
 import { load, SceneError } from '../../build/web/node/index.js';
 import { flavours, loadModule, roomScene, root, Session } from '../wasm/load.mjs';
+import { crashToo } from './crash.mjs';
 
 const castle = `${root}/assets/scenes/castle.json`;
 const kSize = { width: 120, height: 75 };
@@ -361,7 +362,7 @@ test(
       'ulimit -n 72; exec "$0" --input-type=module --eval "$1"',
       process.execPath,
       program,
-    ]);
+    ]).catch(crashToo);
     assert.equal(stdout.trim(), '4');
   },
 );

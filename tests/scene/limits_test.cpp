@@ -9,7 +9,7 @@
 
 #include <gtest/gtest.h>
 
-#include <chrono>
+#include <ctime>
 
 namespace slicecast {
 namespace {
@@ -26,12 +26,15 @@ std::vector<Fault> faultsOf(const std::string& text) {
     return parseScene(text, "test.json").faults;
 }
 
+double secondsUsed() {  // of the processor
+    return static_cast<double>(std::clock()) / CLOCKS_PER_SEC;
+}
+
 TEST(Limits, TheLargestMapIsReadInSeconds) {
     const std::string text = smallScene("[" + level(kMaxMapWidth, kMaxMapDepth) + "]");
-    const auto start = std::chrono::steady_clock::now();
+    const double start = secondsUsed();
     ParsedScene parsed = parseScene(text, "test.json");
-    const double seconds =
-        std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
+    const double seconds = secondsUsed() - start;
     EXPECT_EQ(inWords(parsed.faults), "");
 #ifndef SLICECAST_SANITIZED
     EXPECT_LT(seconds, 4.0);
@@ -71,10 +74,9 @@ TEST(Limits, HostileTextsAreReadInSeconds) {
         "{" + members + "}",
     };
     for (const std::string& text : texts) {
-        const auto start = std::chrono::steady_clock::now();
+        const double start = secondsUsed();
         EXPECT_FALSE(faultsOf(text).empty());
-        const double seconds =
-            std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
+        const double seconds = secondsUsed() - start;
 #ifndef SLICECAST_SANITIZED
         EXPECT_LT(seconds, 2.0) << text.substr(0, 60);
 #else

@@ -2,7 +2,7 @@
 // schema, no page needs a script of its own, and building it again changes nothing.
 
 import assert from 'node:assert/strict';
-import { execFileSync } from 'node:child_process';
+import { execFile, execFileSync } from 'node:child_process';
 import {
   cpSync,
   existsSync,
@@ -15,9 +15,13 @@ import {
 import { tmpdir } from 'node:os';
 import path from 'node:path';
 import { test } from 'node:test';
+import { promisify } from 'node:util';
 
 import { Pictures } from '../../tools/docs/pictures.mjs';
+import { crashToo } from '../node/crash.mjs';
 import { root } from '../wasm/load.mjs';
+
+const run = promisify(execFile);
 
 const site = path.join(root, 'build/web');
 const sources = path.join(root, 'web/docs');
@@ -218,11 +222,11 @@ test('the C++ snippets compile', (t) => {
   }
 });
 
-test('building it again gives the same bytes', (t) => {
+test('building it again gives the same bytes', async (t) => {
   const folder = mkdtempSync(path.join(tmpdir(), 'slicecast-docs-'));
   t.after(() => rmSync(folder, { recursive: true }));
   cpSync(site, folder, { recursive: true });
-  execFileSync(process.execPath, [path.join(root, 'tools/docs.mjs'), folder], { stdio: 'pipe' });
+  await run(process.execPath, [path.join(root, 'tools/docs.mjs'), folder]).catch(crashToo);
   const names = readdirSync(path.join(site, 'docs'), { recursive: true }).sort();
   assert.deepEqual(readdirSync(path.join(folder, 'docs'), { recursive: true }).sort(), names);
   for (const name of names.filter((each) => path.extname(each) !== ''))

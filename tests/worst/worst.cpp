@@ -30,8 +30,10 @@ using namespace slicecast;
 namespace {
 
 constexpr double kMostTimes = 50.0;
-// Times vary on a busy machine: a scene fails only if it exceeds a limit by this factor.
+// Times vary on a busy machine: a scene fails only if it exceeds a limit by this factor, also when
+// it is measured again and again, each time beside the castle.
 constexpr double kSlack = 1.5;
+constexpr int kMeasuredAgain = 5;
 constexpr double kMostStepTimes = 5.0;
 constexpr std::int64_t kMostMemory = 64 << 20;  // bytes
 constexpr int kWidth = 640;
@@ -308,7 +310,20 @@ Cost costOf(World world) {
 struct Shares {
     double frame, step, memory;
     double worst() const { return std::max({frame, step, memory}); }
+    std::string text() const {
+        char text[100];
+        std::snprintf(text, sizeof text, "frame %.1f castles, step %.2f, %.0f KB",
+                      frame * kMostTimes, step * kMostStepTimes, memory * (kMostMemory >> 10));
+        return text;
+    }
 };
+
+Shares sharesOf(World world, double castleSeconds) {
+    const Cost cost = costOf(std::move(world));
+    return {cost.frameSeconds / (castleSeconds * kMostTimes),
+            cost.stepSeconds / (castleSeconds * kMostStepTimes),
+            static_cast<double>(cost.bytes) / kMostMemory};
+}
 
 std::int64_t toNumber(std::string_view text) {
     std::int64_t value = 0;
@@ -333,7 +348,6 @@ int main(int argc, char** argv) {
     struct Try {
         Genes genes{};
         Shares shares{};
-        Cost cost;
     };
     std::array<Try, 3> worst;  // by frame, step and memory
     int loaded = 0;
@@ -368,16 +382,17 @@ int main(int argc, char** argv) {
             continue;
         }
         ++loaded;
-        next.cost = costOf(std::move(*scene.world));
-        next.shares = {next.cost.frameSeconds / (unit * kMostTimes),
-                       next.cost.stepSeconds / (unit * kMostStepTimes),
-                       static_cast<double>(next.cost.bytes) / kMostMemory};
+        next.shares = sharesOf(scene.world->copy(), unit);
+        for (int i = 0; i < kMeasuredAgain && next.shares.worst() > kSlack; ++i) {
+            const double unitNow = costOf(castle.world->copy()).frameSeconds;
+            const Shares again = sharesOf(scene.world->copy(), unitNow);
+            next.shares.frame = std::min(next.shares.frame, again.frame);
+            next.shares.step = std::min(next.shares.step, again.step);
+        }
         if (next.shares.worst() > kSlack) {
             const std::string file = "worst-" + std::to_string(over++) + ".json";
             std::ofstream(file) << text;
-            std::printf("%s: frame %.1f castles, step %.2f, %lld KB\n", file.c_str(),
-                        next.cost.frameSeconds / unit, next.cost.stepSeconds / unit,
-                        static_cast<long long>(next.cost.bytes >> 10));
+            std::printf("%s: %s\n", file.c_str(), next.shares.text().c_str());
         }
         if (next.shares.frame > worst[0].shares.frame) worst[0] = next;
         if (next.shares.step > worst[1].shares.step) worst[1] = next;
@@ -385,12 +400,10 @@ int main(int argc, char** argv) {
     }
     std::printf("%d of %lld scenes load; a castle's frame takes %.2f ms\n", loaded,
                 static_cast<long long>(scenes), unit * 1e3);
-    std::printf(
-        "slowest frame %.1f castles of %.0f, slowest step %.2f of %.0f, most memory %lld KB "
-        "of %lld\n",
-        worst[0].cost.frameSeconds / unit, kMostTimes, worst[1].cost.stepSeconds / unit,
-        kMostStepTimes, static_cast<long long>(worst[2].cost.bytes >> 10),
-        static_cast<long long>(kMostMemory >> 10));
+    const std::array limits = {"frame", "step", "memory"};
+    for (std::size_t i = 0; i < worst.size(); ++i)
+        std::printf("most %s: %s\n", limits[i], worst[i].shares.text().c_str());
+    std::printf("allowed: %s\n", Shares{1.0, 1.0, 1.0}.text().c_str());
     if (loaded < scenes / 4) {
         std::fprintf(stderr, "too few scenes load\n");
         return 1;
