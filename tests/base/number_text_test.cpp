@@ -1,4 +1,5 @@
 #include "base/number_text.h"
+#include "sanitized.h"
 
 #include <gtest/gtest.h>
 
@@ -14,11 +15,7 @@
 namespace slicecast {
 namespace {
 
-#ifdef SLICECAST_SANITIZED
-constexpr int kNumbers = 20000;
-#else
-constexpr int kNumbers = 60000;
-#endif
+constexpr int kNumbers = kSanitized ? 20000 : 60000;
 
 std::string textOf(const NumberText& text) {
     return std::string(std::string_view(text));

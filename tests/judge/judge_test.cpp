@@ -1,5 +1,6 @@
 // The renderer before the judge: random worlds and eyes, not one pixel that the tracer does not
 // see.
+#include "sanitized.h"
 #include "suite.h"
 #include "world_builder.h"
 
@@ -10,13 +11,8 @@
 namespace slicecast::judge {
 namespace {
 
-#ifdef SLICECAST_SANITIZED
-constexpr int kShare = 10;  // sanitizers take a tenth
-constexpr int kRarer = 8;   // and in so few pictures rare things may be rarer still
-#else
-constexpr int kShare = 1;
-constexpr int kRarer = 1;
-#endif
+constexpr int kShare = kSanitized ? 10 : 1;
+constexpr int kRarer = kSanitized ? 8 : 1;  // in few pictures rare things may be rarer still
 
 void expectNoComplaint(const Verdict& verdict) {
     for (const std::string& complaint : verdict.complaints) ADD_FAILURE() << complaint;

@@ -2,6 +2,7 @@
 #include "light_tracer.h"
 #include "random_scene.h"
 #include "render/lit_maps.h"
+#include "sanitized.h"
 
 #include <gtest/gtest.h>
 
@@ -11,11 +12,7 @@
 namespace slicecast::judge {
 namespace {
 
-#ifdef SLICECAST_SANITIZED
-constexpr std::int64_t kFacesCompared = 6'000;  // sanitizers take less
-#else
-constexpr std::int64_t kFacesCompared = 20'000;
-#endif
+constexpr std::int64_t kFacesCompared = kSanitized ? 3'000 : 20'000;
 
 struct Counts {
     std::int64_t faces = 0;

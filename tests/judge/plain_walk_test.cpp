@@ -7,6 +7,7 @@
 #include "raw_span_text.h"
 #include "render/plain_walk.h"
 #include "render/slice_stage.h"
+#include "sanitized.h"
 
 #include <gtest/gtest.h>
 
@@ -26,11 +27,7 @@ namespace {
 
 using What = FilledRows::What;
 
-#ifdef SLICECAST_SANITIZED
-constexpr int kShare = 10;  // sanitizers take a tenth
-#else
-constexpr int kShare = 1;
-#endif
+constexpr int kShare = kSanitized ? 10 : 1;
 
 // What one row shows.
 struct Row {

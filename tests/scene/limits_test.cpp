@@ -3,6 +3,7 @@
 #include "scene/limits.h"
 
 #include "base/image.h"
+#include "sanitized.h"
 #include "scene/json_tree.h"
 #include "scene/scene_files.h"
 #include "world/player.h"
@@ -36,11 +37,7 @@ TEST(Limits, TheLargestMapIsReadInSeconds) {
     ParsedScene parsed = parseScene(text, "test.json");
     const double seconds = secondsUsed() - start;
     EXPECT_EQ(inWords(parsed.faults), "");
-#ifndef SLICECAST_SANITIZED
-    EXPECT_LT(seconds, 4.0);
-#else
-    EXPECT_LT(seconds, 40.0);
-#endif
+    EXPECT_LT(seconds, kSanitized ? 40.0 : 4.0);
     const SceneFiles files = readSceneFiles(sceneTestFolder(), parsed);
     const LoadedScene loaded = loadScene(std::move(parsed), files);
     ASSERT_TRUE(loaded.world.has_value());
@@ -77,11 +74,7 @@ TEST(Limits, HostileTextsAreReadInSeconds) {
         const double start = secondsUsed();
         EXPECT_FALSE(faultsOf(text).empty());
         const double seconds = secondsUsed() - start;
-#ifndef SLICECAST_SANITIZED
-        EXPECT_LT(seconds, 2.0) << text.substr(0, 60);
-#else
-        EXPECT_LT(seconds, 20.0) << text.substr(0, 60);
-#endif
+        EXPECT_LT(seconds, kSanitized ? 20.0 : 2.0) << text.substr(0, 60);
     }
 }
 

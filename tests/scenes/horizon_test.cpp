@@ -3,6 +3,7 @@
 #include "scenes/shipped.h"
 
 #include "render/renderer.h"
+#include "sanitized.h"
 #include "session/light_presets.h"
 #include "world/collision.h"
 #include "world/player.h"
@@ -96,6 +97,9 @@ Eye highestEye(const World& world, int map) {
     return eye;
 }
 
+const std::vector<double> kHeadingsSeen =
+    kSanitized ? std::vector{10.0} : std::vector{10.0, 100.0, 190.0, 280.0};
+
 // Calls seen(where, map, what) for views from the highest place of each map that has an open sky.
 template <typename Seen>
 int fromTheHighestPlaces(LightPreset preset, Seen seen) {
@@ -108,7 +112,7 @@ int fromTheHighestPlaces(LightPreset preset, Seen seen) {
             if (!isOpenToTheSky(map)) continue;
             ++maps;
             Eye eye = highestEye(world, i);
-            for (const double heading : {10.0, 100.0, 190.0, 280.0}) {
+            for (const double heading : kHeadingsSeen) {
                 eye.headingDegrees = heading;
                 seen(name + ", " + map.name + ", heading " + std::to_string(heading), map,
                      look(world, eye));

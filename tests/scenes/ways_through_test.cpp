@@ -3,6 +3,7 @@
 #include "scenes/shipped.h"
 
 #include "base/angle.h"
+#include "sanitized.h"
 #include "session/session.h"
 
 #include <gtest/gtest.h>
@@ -103,7 +104,8 @@ const std::string& mapName(const Session& session) {
 
 TEST(WaysThrough, LeadWhereTheyShouldWithoutAJump) {
     std::map<std::string, World> worlds;
-    for (const Way& way : kWays) {
+    for (std::size_t i = 0; i < kWays.size(); i += kSanitized ? 3 : 1) {
+        const Way& way = kWays[i];
         SCOPED_TRACE(std::string(way.scene) + ", " + way.what + ", from " + way.from);
         if (worlds.count(way.scene) == 0) worlds.emplace(way.scene, shippedWorld(way.scene));
         Session session(worlds.at(way.scene).copy());

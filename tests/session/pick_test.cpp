@@ -2,6 +2,7 @@
 // point that pick names.
 #include "session/pick.h"
 
+#include "sanitized.h"
 #include "session/hall.h"
 
 #include <gtest/gtest.h>
@@ -20,6 +21,7 @@ using Json = rapidjson::Value;
 
 constexpr int kPickWidth = 96;
 constexpr int kPickHeight = 72;
+constexpr int kPickEvery = kSanitized ? 3 : 1;  // column in a row
 
 World fencedHall() {
     World world = hall("fence", numbered(16, 200, 255, true), numbered(16, 250, 255, true));
@@ -95,7 +97,7 @@ void PickTest::expectTexelsOfPictures() {
         look(heading);
         const std::vector<Pixel> pixels = picture();
         for (int row = 0; row < kPickHeight; ++row) {
-            for (int column = 0; column < kPickWidth; ++column) {
+            for (int column = row % kPickEvery; column < kPickWidth; column += kPickEvery) {
                 const Json& picked = pick(column, row);
                 const std::string what = picked["what"].GetString();
                 ++seen[what];

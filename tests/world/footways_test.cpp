@@ -3,6 +3,7 @@
 #include "portal_worlds.h"
 #include "world_builder.h"
 
+#include "sanitized.h"
 #include "world/footways.h"
 
 #include <gtest/gtest.h>
@@ -250,11 +251,7 @@ void addPortals(World& world, Random& random) {
 
 // Whoever walks, jumps and swims at random stays on the ways.
 TEST(Footways, MissNothing) {
-#ifdef SLICECAST_SANITIZED
-    constexpr int kWorlds = 60;
-#else
-    constexpr int kWorlds = 150;
-#endif
+    constexpr int kWorlds = kSanitized ? 60 : 150;
     int cells = 0;
     int reached = 0;
     int leaps = 0;

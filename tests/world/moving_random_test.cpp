@@ -2,6 +2,7 @@
 // free stays free, and it all happens the same way twice.
 #include "moving.h"
 #include "portal_worlds.h"
+#include "sanitized.h"
 
 #include <gtest/gtest.h>
 
@@ -10,11 +11,7 @@
 namespace slicecast {
 namespace {
 
-#ifdef SLICECAST_SANITIZED
-constexpr int kMovingWorlds = 200;
-#else
-constexpr int kMovingWorlds = 2000;
-#endif
+constexpr int kMovingWorlds = kSanitized ? 200 : 2000;
 constexpr int kPlayersPerMovingWorld = 2;
 constexpr int kStepsAmongMovers = 600;
 

@@ -3,6 +3,7 @@
 #include "walking.h"
 
 #include "base/hash.h"
+#include "sanitized.h"
 #include "world/object_motion.h"
 
 #include <gtest/gtest.h>
@@ -281,11 +282,7 @@ World crowd(std::uint64_t seed, int size) {
     return world;
 }
 
-#ifdef SLICECAST_SANITIZED
-constexpr int kObjectWorlds = 100;
-#else
-constexpr int kObjectWorlds = 1000;
-#endif
+constexpr int kObjectWorlds = kSanitized ? 100 : 1000;
 
 TEST(RandomObjects, NoneIsEverInsideABlockAndAllRunsAreEqual) {
     std::int64_t free = 0;

@@ -3,6 +3,7 @@
 #include "moving.h"
 
 #include "base/hash.h"
+#include "sanitized.h"
 #include "world/object_motion.h"
 
 #include <gtest/gtest.h>
@@ -12,11 +13,7 @@
 namespace slicecast {
 namespace {
 
-#ifdef SLICECAST_SANITIZED
-constexpr int kRiderWorlds = 60;
-#else
-constexpr int kRiderWorlds = 600;
-#endif
+constexpr int kRiderWorlds = kSanitized ? 60 : 600;
 constexpr int kRiderSteps = 600;
 
 // Random blocks, platforms that go up and down among them, and a crowd.

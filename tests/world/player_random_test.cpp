@@ -1,5 +1,6 @@
 // Random players in random worlds: nobody is ever inside anything, nobody is ever stuck, and it all
 // happens the same way twice.
+#include "sanitized.h"
 #include "walking.h"
 #include "world/water.h"
 
@@ -11,11 +12,7 @@
 namespace slicecast {
 namespace {
 
-#ifdef SLICECAST_SANITIZED
-constexpr int kPlayerWorlds = 500;
-#else
-constexpr int kPlayerWorlds = 5000;
-#endif
+constexpr int kPlayerWorlds = kSanitized ? 500 : 5000;
 static_assert(kPlayerWorlds < 5000 ||
               std::int64_t{kPlayerWorlds} * kPlayersPerWorld * kStepsPerPlayer >= 10'000'000);
 

@@ -1,6 +1,7 @@
 // Random players in random worlds full of portals: nobody is ever inside anything on either side of
 // one, and nobody is ever stuck.
 #include "portal_worlds.h"
+#include "sanitized.h"
 
 #include <gtest/gtest.h>
 
@@ -12,11 +13,7 @@
 namespace slicecast {
 namespace {
 
-#ifdef SLICECAST_SANITIZED
-constexpr int kPortalWorlds = 60;
-#else
-constexpr int kPortalWorlds = 500;
-#endif
+constexpr int kPortalWorlds = kSanitized ? 60 : 500;
 
 // Up to three maps; of many tiles and faces some lead to any place of any map.
 World randomPortalWorld(std::uint64_t seed) {

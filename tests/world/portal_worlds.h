@@ -3,16 +3,13 @@
 
 #include "walking.h"
 
+#include "sanitized.h"
 #include "world/portal.h"
 
 namespace slicecast {
 
 // How many random worlds a test tries.
-#ifdef SLICECAST_SANITIZED
-inline constexpr int kPortalSeeds = 60;
-#else
-inline constexpr int kPortalSeeds = 600;
-#endif
+inline constexpr int kPortalSeeds = kSanitized ? 60 : 600;
 
 // Adds the portal to its tile; makes the map's list of tile portals if it has none yet.
 void putTilePortal(World& world, const Portal& portal);
