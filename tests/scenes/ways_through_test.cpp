@@ -104,8 +104,8 @@ const std::string& mapName(const Session& session) {
 
 TEST(WaysThrough, LeadWhereTheyShouldWithoutAJump) {
     std::map<std::string, World> worlds;
-    for (std::size_t i = 0; i < kWays.size(); i += kSanitized ? 3 : 1) {
-        const Way& way = kWays[i];
+    for (std::size_t number = 0; number < kWays.size(); number += kSanitized ? 3 : 1) {
+        const Way& way = kWays[number];
         SCOPED_TRACE(std::string(way.scene) + ", " + way.what + ", from " + way.from);
         if (worlds.count(way.scene) == 0) worlds.emplace(way.scene, shippedWorld(way.scene));
         Session session(worlds.at(way.scene).copy());
