@@ -25,13 +25,17 @@ LoadedScene notReadable(const std::string& file, const std::string& why) {
 }
 
 // The scene only knows that an image is missing; this adds why.
-void addReasons(std::vector<Fault>& faults, const std::map<std::string, std::string>& unread) {
-    std::map<std::string, std::string> better;
-    for (const auto& [name, why] : unread)
-        better.emplace(imageFound(name, kUnreadImage), imageFound(name, "which " + why));
+void addReasons(std::vector<Fault>& faults,
+                const std::map<std::string, ReadImages::Unread>& unread) {
+    std::map<std::string, std::pair<std::string, std::string>> better;
+    for (const auto& [name, file] : unread)
+        better.try_emplace(imageFound(name, kUnreadImage), imageFound(name, "which " + file.why),
+                           file.nearest);
     for (Fault& fault : faults) {
         const auto known = better.find(fault.found);
-        if (known != better.end()) fault.found = known->second;
+        if (known == better.end()) continue;
+        fault.found = known->second.first;
+        fault.expected += known->second.second;
     }
 }
 
@@ -58,9 +62,10 @@ ReadImages readImages(const ParsedScene& scene, const std::filesystem::path& fol
         if (file.fault.empty()) {
             images.files.emplace(name, std::move(file.bytes));
         } else {
-            const std::string nearest =
-                file.fault == kNoSuchFile ? nearestFile(folder / pathOf(name)) : "";
-            images.unread.emplace(name, file.fault + nearest);
+            images.unread.emplace(
+                name, ReadImages::Unread{file.fault, file.fault == kNoSuchFile
+                                                         ? nearestFile(folder / pathOf(name))
+                                                         : std::string()});
         }
     }
     return images;

@@ -22,10 +22,15 @@ inline constexpr std::uintmax_t kMaxImageBytes = 64u << 20;
 LoadedScene readSceneFile(const std::filesystem::path& scene);
 
 // The images that a scene names, with paths relative to `folder`, by their names in the scene:
-// `files` holds the bytes of those that could be read, `unread` the reasons why others could not.
+// `files` holds the bytes of those that could be read, `unread` the reasons why others could not,
+// and perhaps a file of a similar name, in words to put behind a message.
 struct ReadImages {
+    struct Unread {
+        std::string why;
+        std::string nearest;
+    };
     SceneFiles files;
-    std::map<std::string, std::string> unread;
+    std::map<std::string, Unread> unread;
 };
 ReadImages readImages(const ParsedScene& scene, const std::filesystem::path& folder);
 

@@ -58,6 +58,11 @@ void readScene(Reading& reading, JsonValue root) {
     placeObjects(reading);
     placeQuest(reading, fields->find("game"));
     if (checker.count() == 0) findHiddenThings(reading);
+    const std::vector<Map>& maps = reading.description.world.maps;
+    if (reading.lamp &&
+        std::none_of(maps.begin(), maps.end(), [](const Map& map) { return map.baked.on; }))
+        checker.warn(*reading.lamp, "a lamp, but no map with \"baked\": it does not shine",
+                     "\"baked\" in its map");
     placeVariants(reading);
 }
 

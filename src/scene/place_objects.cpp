@@ -24,7 +24,8 @@ void checkRoom(Reading& reading, const PlacedMotion& placed) {
     object.y = begins.y;
     if (isFree(world, motion.map, objectBody(object))) return;
     reading.checker.add(placed.value,
-                        "a moving object that starts inside something solid or outside the map",
+                        {"a moving object that starts at z ", Shortest{object.z.value()},
+                         " inside something solid, or outside the map"},
                         "free room for its body: as high as the object and at most 0.4 wide");
 }
 

@@ -75,6 +75,7 @@ LampId readLamp(Reading& reading, JsonValue value) {
         reading.checker.fields(value, {"colour", "strength", "radius"},
                                "an object such as { \"colour\": \"#ffc070\", \"radius\": 4 }");
     if (!fields) return kNoLamp;
+    if (!reading.lamp) reading.lamp = value;
     const LampKind kind = readLampKind(*fields);
     std::vector<LampKind>& kinds = reading.description.world.lampKinds;
     const auto known = std::find(kinds.begin(), kinds.end(), kind);

@@ -30,8 +30,17 @@ constexpr Named<MotionShape> kShapes[] = {{MotionShape::smooth, "smooth"},
                                           {MotionShape::stopAndGo, "stop-and-go"}};
 
 // "along" and "moves".
-void readAxis(const Fields& fields, Motion& motion) {
+void readAxis(Checker& checker, const Fields& fields, Motion& motion) {
     motion.axis = fields.choice("along", kAxes, Axis::z);
+    const FoundValue moves = fields.find("moves");
+    if (moves && moves->isText() && moves->text() != "both" && !fields.find("along")) {
+        for (const auto& [axis, name] : {kAxes[0], kAxes[1]}) {
+            if (!valueOf(kEdges[static_cast<std::size_t>(axis)], moves->text())) continue;
+            checker.add(*moves, {quoted(moves->text()), " without \"along\""},
+                        {"\"along\": ", quoted(name), " beside it"});
+            return;
+        }
+    }
     const auto& edges = kEdges[static_cast<std::size_t>(motion.axis)];
     fields.requireChoice("moves", edges);
     motion.edges = fields.choice("moves", edges, MovingEdges::both);
@@ -65,7 +74,7 @@ Motion readMotion(Checker& checker, JsonValue value) {
                        "a motion: an object with \"moves\", \"to\" and \"period\"");
     if (!fields) return motion;
     const std::size_t faultsBefore = checker.count();
-    readAxis(*fields, motion);
+    readAxis(checker, *fields, motion);
     fields->require("to", kOffset.words);
     motion.from = toCoordinate(fields->number("from", kOffset, 0.0));
     motion.to = toCoordinate(fields->number("to", kOffset, 1.0));

@@ -148,7 +148,12 @@ void readGame(Reading& reading, JsonValue value) {
         if (checker.count() == 0) checkArea(reading, *at, *goal.map, goal.area, "a goal");
         reading.addAim(Aim::What::goal, *at, 0);
     }
-    if (!goal.needs.none() || goal.map) quest.goal = goal;
+    if (!goal.needs.none() || goal.map) {
+        quest.goal = goal;
+    } else {
+        checker.warn(value, "a game that never ends: it has no finds and no \"at\"",
+                     "objects with \"find\", or \"at\": where the player is to come");
+    }
 }
 
 }  // namespace

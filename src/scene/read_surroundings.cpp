@@ -88,9 +88,14 @@ void readFloor(Reading& reading, JsonValue value, bool hasSize, Map& map) {
         }
     }
     map.floor.tiles.assign(map.floor.tiles.size(), map.floor.texture);
-    if (fields)
-        readTiles(reading, *fields, map.floor.texture, map.floor.texture, map, hasSize,
-                  map.floor.tiles);
+    if (!fields) return;
+    readTiles(reading, *fields, map.floor.texture, map.floor.texture, map, hasSize,
+              map.floor.tiles);
+    const auto& tiles = map.floor.tiles;
+    if (map.floor.water != kNoTexture && !tiles.empty() &&
+        std::find(tiles.begin(), tiles.end(), map.floor.water) == tiles.end())
+        reading.checker.warn(*fields->find("water"), "a water that no tile of the floor has",
+                             "its texture on some tiles of the floor");
 }
 
 void readCeiling(Reading& reading, JsonValue value, bool hasSize, Map& map) {

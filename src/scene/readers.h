@@ -105,6 +105,7 @@ struct Reading {
     std::vector<PlacedPath> paths = {};
     std::vector<PlacedNeeds> needs = {};
     std::vector<PlacedNotice> placedNotices = {};
+    FoundValue lamp = {};  // the first one of a face or an object
 
     void addAim(Aim::What what, JsonValue value, std::size_t first, std::size_t count = 1) {
         description.aims.push_back({what, first, count, checker.faultAt(value)});

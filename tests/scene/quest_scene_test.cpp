@@ -86,6 +86,10 @@ TEST(QuestScenes, WarnOfWhatNobodyCanDo) {
               std::string::npos);
     EXPECT_NE(warnings("", R"("game": { "aim": "Go.", "needs": 9 },)", kCoins).find("9 finds"),
               std::string::npos);
+    EXPECT_EQ(warnings("", R"("game": { "aim": "Go." },)", kCoins), "");
+    EXPECT_NE(warnings("", R"("game": { "aim": "Go." },)", R"("messages": [])")
+                  .find("a game that never ends"),
+              std::string::npos);
     const std::string walled = R"("messages": [{ "text": "Boo", "x": 5, "y": 0, "depth": 3 }])";
     EXPECT_NE(warnings("", "", walled).find("a message where the player has no room"),
               std::string::npos);

@@ -87,8 +87,8 @@ TEST(Warnings, TellOfLampsInOpaqueBlocks) {
 }
 
 LoadedScene loadWithSprite(const std::string& levels, const std::string& object) {
-    std::string text =
-        smallScene(levels, "\"objects\": [{ \"sprite\": \"tile\", " + object + " }]");
+    std::string text = smallScene(
+        levels, "\"baked\": {}, \"objects\": [{ \"sprite\": \"tile\", " + object + " }]");
     return loadText(text.insert(text.find("\"blueprints\""),
                                 "\"sprites\": { \"tile\": \"broken/images/tile.png\" }, "));
 }
@@ -109,6 +109,36 @@ TEST(Warnings, TellOfObjectsInOpaqueBlocks) {
     EXPECT_EQ(lamp.warnings[1].pointer, "/maps/0/objects/0/lamp");
     EXPECT_EQ(object(R"("x": 0.5, "y": 1.5, "height": 1.3, "lamp": {})").warnings.size(), 1u)
         << "the lamp hangs above the wall";
+}
+
+TEST(Warnings, TellOfLampsWithoutBakedLight) {
+    std::string text = smallScene(R"([["###", "#..", "###"]])", "\"baked\": {}");
+    const std::string face = R"({ "all": { "texture": "brick", "lamp": {} } })";
+    text.replace(text.find("\"faces\": \"brick\"") + 9, 7, face);
+    EXPECT_EQ(loadSound(text).warnings.size(), 0u);
+    text.erase(text.find(", \"baked\": {}"), 13);
+    const std::vector<Fault> warnings = loadSound(text).warnings;
+    ASSERT_EQ(warnings.size(), 1u);
+    EXPECT_EQ(warnings[0].pointer, "/blueprints/wall/faces/all/lamp");
+    EXPECT_EQ(warnings[0].found, "a lamp, but no map with \"baked\": it does not shine");
+}
+
+TEST(Warnings, TellOfWaterThatNoTileHas) {
+    const auto floor = [](const std::string& more) {
+        std::string text = smallScene(R"([["###", "#..", "###"]])", "");
+        const std::string plain = "\"floor\": \"brick\"";
+        text.replace(text.find(plain), plain.size(),
+                     R"("floor": { "texture": "brick", "water": "wet")" + more + " }");
+        const std::string brick = "\"brick\": \"broken/images/brick.png\"";
+        return loadSound(
+                   text.replace(text.find(brick), brick.size(), brick + ", \"wet\": \"#2040a0\""))
+            .warnings;
+    };
+    const std::vector<Fault> warnings = floor("");
+    ASSERT_EQ(warnings.size(), 1u);
+    EXPECT_EQ(warnings[0].pointer, "/maps/0/floor/water");
+    EXPECT_EQ(warnings[0].found, "a water that no tile of the floor has");
+    EXPECT_EQ(floor(R"(, "legend": { "~": "wet" }, "tiles": ["   ", " ~ ", "   "])").size(), 0u);
 }
 
 TEST(Warnings, TellOfPathsThroughOpaqueBlocks) {

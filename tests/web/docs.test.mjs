@@ -18,6 +18,7 @@ import { test } from 'node:test';
 import { promisify } from 'node:util';
 
 import { Pictures } from '../../tools/docs/pictures.mjs';
+import { objectKinds } from '../../tools/docs/schema-kinds.mjs';
 import { crashToo } from '../node/crash.mjs';
 import { root } from '../wasm/load.mjs';
 
@@ -220,6 +221,16 @@ test('the C++ snippets compile', (t) => {
     writeFileSync(file, code);
     execFileSync(compiler, [...options, file], { stdio: 'pipe' });
   }
+});
+
+test('two different objects of one name stop the reference', () => {
+  const object = (key) => ({ type: 'object', properties: { [key]: { type: 'number' } } });
+  const schema = (second) => ({
+    properties: { sky: { properties: { sun: object('size') } }, light: { properties: second } },
+    definitions: {},
+  });
+  assert.throws(() => objectKinds(schema({ sun: object('azimuth') })), /two different .* "sun"/);
+  assert.equal(objectKinds(schema({ lamp: object('azimuth') })).length, 5);
 });
 
 test('building it again gives the same bytes', async (t) => {

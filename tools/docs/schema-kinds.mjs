@@ -32,6 +32,8 @@ const kTitles = {
 export function objectKinds(schema) {
   const kinds = [];
   const nodes = new Map(); // part of the schema -> its node
+  const wholes = new Map(); // kind -> what its objects are variants of
+  const variants = new Map(); // part of the schema -> what it is a variant of
 
   // The node of a part. `id` is the key or the definition by which the schema names it.
   function nodeAt(raw, id) {
@@ -45,9 +47,10 @@ export function objectKinds(schema) {
       return nodes.set(raw, followed).get(raw);
     }
     if (kSaid[id] !== undefined) node.said = kSaid[id];
-    else if (raw.anyOf && !raw.properties)
+    else if (raw.anyOf && !raw.properties) {
+      for (const each of raw.anyOf) variants.set(each, raw);
       node.variants = raw.anyOf.map((each) => nodeAt(each, id));
-    else if (raw.properties) addKeys(node, raw, id);
+    } else if (raw.properties) addKeys(node, raw, id);
     else if (raw.items) node.items = nodeAt(raw.items, id);
     else if (typeof raw.additionalProperties === 'object')
       node.values = nodeAt(raw.additionalProperties, id);
@@ -62,6 +65,9 @@ export function objectKinds(schema) {
       const { title, description } = schema.definitions[id] ?? (id === 'scene' ? schema : raw);
       kind = { id, title: kTitles[id] ?? title, description, nodes: [], keys: [] };
       kinds.push(kind);
+      wholes.set(kind, variants.get(raw));
+    } else if (wholes.get(kind) === undefined || wholes.get(kind) !== variants.get(raw)) {
+      throw new Error(`the schema has two different objects named "${id}"; one needs a definition`);
     }
     kind.nodes.push(node);
     for (const [name, value] of Object.entries(raw.properties)) {
