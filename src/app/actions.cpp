@@ -27,7 +27,7 @@ constexpr auto kRows = std::to_array<ActionInfo>({
     {Action::strafeLeft, "strafeLeft", move, hold, kMove, "KeyA KeyQ", "step left",
      "step left and right"},
     {Action::strafeRight, "strafeRight", move, hold, kMove, "KeyD KeyE", "step right", kJoins},
-    {Action::jump, "jump", move, hold, kMove, "Space", "jump"},
+    {Action::jump, "jump", move, hold, kMove, "Space", "jump; rise when flying"},
     {Action::sink, "sink", move, hold, kMove, "KeyC PageDown", "crouch; sink when flying"},
     {Action::rise, "rise", move, hold, kMove, "PageUp", "rise when flying"},
     {Action::fast, "fast", move, hold, kMove, "ShiftLeft ShiftRight", "faster", "faster, slower"},

@@ -299,7 +299,13 @@ Input App::takeInput() {
     Input input = keys_.takeInput();
     input.turnDegrees = std::exchange(turnDegrees_, 0.0);
     input.lookHeights = std::exchange(lookHeights_, 0.0);
-    return together(together(input, thumbs_), together(cursor_, gamepadInput(gamepad_)));
+    input = together(together(input, thumbs_), together(cursor_, gamepadInput(gamepad_)));
+    // Whoever flies rises by what else jumps
+    if (input.jump && game_->player().flying) {
+        input.fly = std::min(input.fly + 1.0, 1.0);
+        input.jump = false;
+    }
+    return input;
 }
 
 void App::play() {

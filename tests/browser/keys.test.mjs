@@ -61,7 +61,7 @@ test('walking, stepping aside and turning move the player and change the picture
   assert.notEqual(await pictureHash(page), startPicture);
 });
 
-test('V flies, and Page Up rises', async (t) => {
+test('V flies, and Page Up and Space rise', async (t) => {
   const { page } = await openScene(t, browser);
   await play(page);
   await page.keyboard.press('v');
@@ -69,6 +69,10 @@ test('V flies, and Page Up rises', async (t) => {
   await page.keyboard.down('PageUp');
   await untilPlayer(page, (now) => now.z > 1.2);
   await page.keyboard.up('PageUp');
+  const { z } = await player(page);
+  await page.keyboard.down('Space');
+  await untilPlayer(page, (now, from) => now.z > from + 0.5, z);
+  await page.keyboard.up('Space');
 });
 
 test("the game's keys do not scroll", async (t) => {

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <map>
 
 #include "noise.h"
 
@@ -61,6 +62,21 @@ void drawHaze(Picture& sky, Colour haze, int rows) {
             Colour& colour = sky.at(x, kSkyHeight - 1 - row);
             colour = blend(colour, haze, share);
         }
+    }
+}
+
+void drawZenith(Picture& sky, int rows, std::uint32_t seed) {
+    std::map<Pixel, int> counts;
+    for (int x = 0; x < kSkyWidth; ++x) ++counts[toPixel(sky.at(x, 0))];
+    const auto commonest =
+        std::max_element(counts.begin(), counts.end(),
+                         [](const auto& a, const auto& b) { return a.second < b.second; });
+    const Colour zenith = toColour(commonest->first);
+    // Pixel by pixel, so that no further colours arise
+    for (int y = 0; y < rows; ++y) {
+        const auto share = static_cast<std::uint32_t>(256 * (rows - y) / rows);
+        for (int x = 0; x < kSkyWidth; ++x)
+            if (hashOf(x, y, seed) % 256U < share) sky.at(x, y) = zenith;
     }
 }
 

@@ -41,4 +41,8 @@ void drawRidge(Picture& sky, const Ridge& ridge);
 // Lays haze over the lowest rows; the last row becomes haze altogether.
 void drawHaze(Picture& sky, Colour haze, int rows);
 
+// Lets the highest rows end in the commonest colour of the first one, which becomes plain: it is
+// what one sees above the picture.
+void drawZenith(Picture& sky, int rows, std::uint32_t seed);
+
 }  // namespace slicecast::textures

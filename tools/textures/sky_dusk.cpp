@@ -72,6 +72,7 @@ Picture paintSkyDusk() {
         }
     }
     drawStreaks(sky);
+    drawZenith(sky, 20, kSkyDuskSeed + 10U);
     // The sun, half down
     for (int y = 0; y < kSkyHeight; ++y) {
         for (int x = 0; x < kSkyWidth; ++x) {

@@ -118,6 +118,7 @@ Picture paintSkyNight() {
         }
     }
     drawStars(sky);
+    drawZenith(sky, 20, kSkyNightSeed + 10U);
     drawMoon(sky);
     drawRidge(sky, {.low = 0.03,
                     .high = 0.21,

@@ -38,7 +38,7 @@ const kHints = [
   },
   {
     name: 'fly',
-    keys: '{fly} flies, {rise} rises',
+    keys: '{fly} flies, {jump} rises',
     touch: 'The button with the wings flies',
     isNeeded: ({ seconds }) => seconds > 60,
     isFollowed: ({ player }) => player.flying,

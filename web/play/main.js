@@ -69,10 +69,10 @@ function start() {
     dialogs,
     toggleFullScreen,
     toggleRate: () => settings.set('rate', !settings.value('rate')),
-    toggleRecording: () => toggleRecording(caster, address),
+    toggleRecording: () => toggleRecording(caster, address, (text) => toast.show(text)),
   });
 
-  const { opening } = addPageParts(caster, { settings, address, dialogs, status });
+  const { opening, toast } = addPageParts(caster, { settings, address, dialogs, status });
   find('play').addEventListener('click', ({ pointerType }) =>
     caster.enter({ touch: pointerType === 'touch' }),
   );

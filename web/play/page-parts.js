@@ -1,7 +1,7 @@
 // Adds the page's optional parts: the opening, hints, messages about keys, the Lab with photo mode
 // and benchmark, and the key editor.
 //
-//     const { opening } = addPageParts(caster, { settings, address, dialogs, status });
+//     const { opening, toast } = addPageParts(caster, { settings, address, dialogs, status });
 
 import { BenchmarkDialog } from './benchmark-dialog.js';
 import { GameDisplay } from './game-display.js';
@@ -16,7 +16,8 @@ import { Toast } from './toast.js';
 const find = (id) => document.getElementById(id);
 
 export function addPageParts(caster, { settings, address, dialogs, status }) {
-  listenForEffects(caster, new Toast(find('toast')));
+  const toast = new Toast(find('toast'));
+  listenForEffects(caster, toast);
   new Hints(caster, find('hint'));
   new GameDisplay(find('game'), caster, () => address.reference);
   new KeyEditor(find('keys'), caster, () => dialogs.showKeys());
@@ -34,5 +35,5 @@ export function addPageParts(caster, { settings, address, dialogs, status }) {
     benchmark: () => dialogs.open('benchmark'),
   });
   find('open-lab').addEventListener('click', () => lab.toggle());
-  return { opening: new Opening(caster) };
+  return { opening: new Opening(caster), toast };
 }
