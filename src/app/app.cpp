@@ -300,7 +300,7 @@ Input App::takeInput() {
     input.turnDegrees = std::exchange(turnDegrees_, 0.0);
     input.lookHeights = std::exchange(lookHeights_, 0.0);
     input = together(together(input, thumbs_), together(cursor_, gamepadInput(gamepad_)));
-    // Whoever flies rises by what else jumps
+    // While one flies, a jump rises
     if (input.jump && game_->player().flying) {
         input.fly = std::min(input.fly + 1.0, 1.0);
         input.jump = false;

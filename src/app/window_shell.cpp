@@ -80,7 +80,7 @@ std::string WindowShell::open(App& app, const std::string& title) {
     window_.reset(SDL_CreateWindow(shownTitle().c_str(), SDL_WINDOWPOS_CENTERED,
                                    SDL_WINDOWPOS_CENTERED, size.width, size.height, flags));
     if (!window_) return sdlFault("cannot open a window");
-    // SDL may make a second window here in place of the first: shown only now, none blinks.
+    // SDL may replace the window here. It was hidden until now, so it does not blink.
     if (SDL_GetWindowSurface(window_.get()) == nullptr)
         return sdlFault("cannot draw in the window");
     SDL_ShowWindow(window_.get());

@@ -131,9 +131,7 @@ class Program {
       stdio: ['ignore', 'ignore', 'pipe'],
     });
     this.#process.stderr.on('data', (data) => (this.errors += data));
-    this.exit = new Promise((done) =>
-      this.#process.once('exit', (status) => done((this.ended = status))),
-    );
+    this.#process.once('exit', (status) => (this.ended = status));
   }
 
   findWindow() {

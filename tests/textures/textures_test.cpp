@@ -95,6 +95,16 @@ TEST(Textures, TheyRepeatSidewaysWithoutASeam) {
     }
 }
 
+// Above a panorama one sees its first row, as far up as one looks: anything in it would be a bar.
+TEST(Textures, SkiesEndInOneColour) {
+    for (const Entry& entry : catalogue()) {
+        if (entry.use != Use::Sky) continue;
+        const Image image = frameOf(entry, 0);
+        for (int x = 1; x < image.width; ++x)
+            ASSERT_EQ(image.pixels[static_cast<std::size_t>(x)], image.pixels[0]) << entry.name;
+    }
+}
+
 TEST(Textures, TheyRepeatUpwardsWithoutASeam) {
     for (const Entry& entry : catalogue()) {
         if (entry.use == Use::Sky || !entry.repeatsUpwards) {

@@ -28,7 +28,6 @@ export function stickAt(x, y) {
 
 export class Thumbs {
   #held = { forward: 0, strafe: 0, jump: false, crouch: false, fast: false, use: false };
-  #flying = false;
   #jumpTimer = 0;
   #useTimer = 0;
   #touches = []; // of followTouch()
@@ -55,7 +54,6 @@ export class Thumbs {
   }
 
   set flying(flying) {
-    this.#flying = flying;
     this.find('fly').classList.toggle('on', flying);
     this.find('jump').querySelector('span').textContent = flying ? 'Rise' : 'Jump';
     this.find('crouch').querySelector('span').textContent = flying ? 'Sink' : 'Crouch';
@@ -82,14 +80,13 @@ export class Thumbs {
 
   #send() {
     const { forward, strafe, jump, crouch, fast, use } = this.#held;
-    const rises = this.#flying && jump;
     this.actions.hold({
       forward,
       strafe,
       fast,
       use,
-      jump: jump && !rises,
-      fly: (rises ? 1 : 0) - (crouch ? 1 : 0),
+      jump,
+      fly: crouch ? -1 : 0,
     });
   }
 
