@@ -48,7 +48,7 @@ export function listenForEffects(caster, toast) {
     if (mode === 'fly' && caster.entered)
       toast.show(
         on
-          ? `Flying: ${labelOf(caster, 'rise')} rises, ${labelOf(caster, 'sink')} sinks`
+          ? `Flying: ${labelOf(caster, 'jump')} rises, ${labelOf(caster, 'sink')} sinks`
           : 'Walking',
       );
   });
