@@ -12,6 +12,8 @@ constexpr std::int32_t kLift = 16;  // of samples off their face, 1/65536 units
 constexpr std::size_t kMostKinds = 128;
 constexpr std::size_t kKindSlots = 512;   // a power of two
 constexpr std::size_t kMetPlaces = 4096;  // a power of two
+// Of all fans together: 2 MB. A fan to a low sun has as many cells as the map is wide.
+constexpr std::size_t kMostSets = 131'072;
 
 std::size_t scattered(std::uint64_t key) {
     return static_cast<std::size_t>(key * 0x9e3779b97f4a7c15u >> 40);
@@ -126,7 +128,7 @@ private:
     std::vector<std::uint32_t> slots_ = std::vector<std::uint32_t>(128);
 };
 
-void LightFans::makeKind(const LightScene& scene, Kind& kind) {
+void LightFans::makeKind(LightScene& scene, Kind& kind) {
     const Map& map = scene.map();
     constexpr std::int32_t kSkyReach = 7;  // levels; a way rises or falls by less than 6 units
     Maker sky(-kSkyReach, kSkyReach);
@@ -153,20 +155,26 @@ void LightFans::makeKind(const LightScene& scene, Kind& kind) {
     }
     kind.sky = sky.made();
     kind.sun = sun.made();
+    const std::size_t sets = kind.sky.sets.size() + kind.sun.sets.size();
+    sets_ += sets;
+    scene.addWork(static_cast<LightWork>(sets));
 }
+
+LightFans::LightFans(std::size_t sharing) : met_(kMetPlaces / sharing) {}
 
 void LightFans::forget() {
     kinds_.clear();
     slots_.assign(kKindSlots, 0);
-    met_.assign(kMetPlaces, {});
+    sets_ = 0;
+    std::fill(met_.begin(), met_.end(), Met{});
 }
 
-std::size_t LightFans::kindOf(const LightScene& scene, const LitArea& area) {
+std::size_t LightFans::kindOf(LightScene& scene, const LitArea& area) {
     std::uint64_t key = static_cast<std::uint64_t>(area.normal * 2 + area.sign);
     for (const std::int32_t part : {area.plane, area.at[0], area.at[1], area.rise[0], area.rise[1],
                                     area.low[0], area.low[1], area.high[0], area.high[1]})
         key = (key ^ static_cast<std::uint32_t>(part)) * 0x100000001b3u;  // as FNV-1a
-    if (kinds_.size() == kMostKinds) forget();
+    if (kinds_.size() == kMostKinds || sets_ > kMostSets) forget();
     std::size_t slot = scattered(key) & (kKindSlots - 1);
     while (slots_[slot] != 0 && !(kinds_[slots_[slot] - 1].area == area))
         slot = (slot + 1) & (kKindSlots - 1);
@@ -217,6 +225,7 @@ WaysSeen LightFans::lookAround(LightScene& scene, const Place& place, bool toSun
     const Map& map = scene.map();
     const Fan& fan = toSun ? kinds_[place.kind].sun : kinds_[place.kind].sky;
     WaysSeen seen;
+    scene.addWork(static_cast<LightWork>(fan.columns.size()));
     for (const Column& column : fan.columns) {
         const int x = place.cell[0] + column.x;
         const int y = place.cell[1] + column.y;
@@ -278,11 +287,12 @@ WaysSeen LightFans::lookAround(LightScene& scene, const Place& place, bool toSun
 // Those of some ways through a cell that meet the block in it.
 WaySet LightFans::meeting(LightScene& scene, const Place& place, bool toSun, const Part& part,
                           const WaySet& ways) {
+    scene.addWork(2);
     const Kind& kind = kinds_[place.kind];
     const BlueprintId id = scene.map().cell(part.cell[0], part.cell[1], part.cell[2]);
     const std::uint64_t key = std::uint64_t{1} << 63 | std::uint64_t{place.kind} << 48 |
                               std::uint64_t{toSun} << 47 | std::uint64_t{part.set} << 16 | id;
-    Met& met = met_[scattered(key) & (kMetPlaces - 1)];
+    Met& met = met_[scattered(key) & (met_.size() - 1)];
     if (met.key != key || scene.world().blueprints[id].mover >= 0) met = {key, {}, {}};
     const WaySet unknown = ways - met.known;
     met.known |= unknown;
@@ -292,6 +302,7 @@ WaySet LightFans::meeting(LightScene& scene, const Place& place, bool toSun, con
         if (those == 0 || !findSample(kind.area, quarter, at)) continue;
         for (std::size_t axis = 0; axis < 3; ++axis)
             at[axis] += (place.cell[axis] - part.cell[axis]) * 65536;
+        scene.addWork(4 * std::popcount(those));
         for (; those != 0; those &= those - 1) {
             const auto way = static_cast<std::size_t>(std::countr_zero(those));
             const LightVector step = toSun ? scene.sun() : skyWay(kind.area, way, turnsOf(quarter));

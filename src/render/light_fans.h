@@ -73,12 +73,18 @@ inline constexpr WaysSeen kNotSeen = {{}, {{~std::uint64_t{0}, ~std::uint64_t{0}
 
 class LightFans {
 public:
+    // `sharing`: see LitMap.
+    explicit LightFans(std::size_t sharing = 1);
+
     // What a face's ways are like.
     struct Face {
         WaysSeen sky;
         WaysSeen sun;
         std::int32_t sunShare = 0;
     };
+
+    // What is kept, bytes.
+    std::size_t bytes() const { return sets_ * sizeof(WaySet) + met_.size() * sizeof(Met); }
 
     // Forgets everything: for another map, or if a block of it that does not move has changed.
     void forget();
@@ -123,14 +129,15 @@ private:
     class Maker;
     struct Place;
 
-    std::size_t kindOf(const LightScene& scene, const LitArea& area);
-    static void makeKind(const LightScene& scene, Kind& kind);
+    std::size_t kindOf(LightScene& scene, const LitArea& area);
+    void makeKind(LightScene& scene, Kind& kind);
     WaysSeen lookAround(LightScene& scene, const Place& place, bool toSun);
     WaySet meeting(LightScene& scene, const Place& place, bool toSun, const Part& part,
                    const WaySet& ways);
 
     std::vector<Kind> kinds_;
     std::vector<std::uint16_t> slots_;  // hash table: index of a kind + 1, 0 for none
+    std::size_t sets_ = 0;              // in all kinds
     std::vector<Met> met_;              // keys share places, and the last one stays
     std::vector<Part> parts_;           // of the face that is looked at
 };

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <bit>
+#include <span>
 
 namespace slicecast {
 namespace {
@@ -50,7 +51,10 @@ void addSky(LightScene& scene, const LightVector& at, const Outlook& outlook, st
 
 void addLamps(LightScene& scene, const LightVector& at, const Outlook& outlook,
               LightColour& light) {
-    for (const HungLamp& lamp : scene.lampsNear(at)) {
+    const std::span<const std::uint16_t> lamps = scene.lampsNear(at);
+    scene.addWork(static_cast<LightWork>(lamps.size()));
+    for (const std::uint16_t number : lamps) {
+        const HungLamp& lamp = scene.lamp(number);
         const LightVector way = {lamp.at[0] - at[0], lamp.at[1] - at[1], lamp.at[2] - at[2]};
         const double square = squareOf(way);
         if (square >= lamp.square) continue;
@@ -135,6 +139,12 @@ FaceNodes LightSamples::ofOutside(const LightScene& scene) {
     return nodes;
 }
 
+FaceNodes LightSamples::ofAmbient(const LightScene& scene) {
+    FaceNodes nodes;
+    nodes.nodes.fill(everywhere(scene));
+    return nodes;
+}
+
 LightColour LightSamples::ofObject(LightScene& scene, const Object& object) {
     const std::int32_t quarter = object.width.raw / 4;
     std::array<LightVector, 4> places;
@@ -157,10 +167,9 @@ LightColour LightSamples::ofObject(LightScene& scene, const Object& object) {
 }
 
 LightSamples::Entry& LightSamples::entryOf(LightScene& scene, const LitFaceAt& face) {
-    if (entries_.empty()) entries_.resize(kEntries);
     const std::uint64_t key = face.key();
     Entry& entry =
-        entries_[static_cast<std::size_t>(key * 0x9e3779b97f4a7c15u >> 40) & (kEntries - 1)];
+        entries_[static_cast<std::size_t>(key * 0x9e3779b97f4a7c15u >> 40) & (entries_.size() - 1)];
     if (entry.key == key && entry.generation == generation_) return entry;
     entry.key = key;
     entry.generation = generation_;
@@ -204,6 +213,8 @@ bool LightSamples::areLinked(LightScene& scene, const LitArea& area, const Quart
 }
 
 FaceNodes LightSamples::nodesOf(LightScene& scene, const LitFaceAt& face, const LitArea& area) {
+    constexpr LightWork kWorkOfFace = 64;  // beside that of its samples
+    scene.addWork(kWorkOfFace);
     // The face's quarters, and those round them, which are of the faces beside
     std::array<std::array<Quarter, 6>, 6> quarters{};
     std::uint64_t touched = 0;

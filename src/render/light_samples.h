@@ -41,6 +41,13 @@ struct FaceNodes {
 
 class LightSamples {
 public:
+    // `sharing`: see LitMap.
+    explicit LightSamples(std::size_t sharing = 1)
+        : fans_(sharing), entries_(kEntries / sharing) {}
+
+    // What is kept, bytes.
+    std::size_t bytes() const { return fans_.bytes() + entries_.size() * sizeof(Entry); }
+
     // Forgets all samples.
     void clear() { generation_ += 1; }
     // And what is known of ways: for another map, or if a still block has changed.
@@ -53,6 +60,8 @@ public:
 
     // Of the floor outside the grid.
     static FaceNodes ofOutside(const LightScene& scene);
+    // Of what no sample shows: the ambient light that is everywhere.
+    static FaceNodes ofAmbient(const LightScene& scene);
     // 0 to 256 for each channel.
     static LightColour ofObject(LightScene& scene, const Object& object);
 

@@ -1,6 +1,7 @@
 #include "render/light_scene.h"
 
 #include "base/angle.h"
+#include "base/sort.h"
 #include "render/light_cuts.h"
 
 #include <algorithm>
@@ -120,7 +121,7 @@ LightScene::Extent LightScene::extentOf(const CellBlueprint& block) const {
 // ---- Lamps
 
 void LightScene::hangLamps() {
-    hung_.clear();
+    lamps_.clear();
     for (const Lamp& lamp : map_->baked.lamps) hang(lamp, nullptr);
     for (const Object& object : map_->objects) {
         if (object.lamp == kNoLamp) continue;
@@ -165,7 +166,7 @@ void LightScene::hangLamps() {
 }
 
 void LightScene::hang(const Lamp& lamp, const LitArea* face) {
-    if (hung_.size() >= kMaxLamps) return;
+    if (lamps_.size() >= kMaxLamps) return;
     const auto radius = static_cast<double>(lamp.kind.radius.raw);
     HungLamp hung;
     hung.at = {lamp.x.raw, lamp.y.raw, lamp.z.raw};
@@ -174,41 +175,90 @@ void LightScene::hang(const Lamp& lamp, const LitArea* face) {
     hung.square = radius * radius;
     hung.ofFace = face != nullptr;
     if (face != nullptr) hung.face = *face;
-    hung_.push_back(hung);
+    lamps_.push_back(hung);
 }
 
-// Lists each lamp in all squares within its radius.
+namespace {
+
+constexpr std::int32_t kCubeSide = kLampCube * 65536;
+
+// Of kFarthestLamp a side: a lamp reaches the squares beside its own, and no others.
+int squareOf(std::int32_t raw, int count) {
+    return std::clamp(raw / kFarthestLamp.raw, 0, count - 1);
+}
+
+}  // namespace
+
 void LightScene::sortLamps() {
-    lampColumns_ = map_->width / kLampSquare + 1;
-    const int rows = map_->depth / kLampSquare + 1;
-    firstLamps_.assign(static_cast<std::size_t>(lampColumns_ * rows) + 1, 0);
-    const auto eachSquare = [&](const HungLamp& lamp, auto&& take) {
-        const auto square = [](std::int32_t raw, int count) {
-            return std::clamp((raw >> 16) / kLampSquare, 0, count - 1);
-        };
-        const std::int32_t radius = lamp.kind.radius.raw;
-        for (int y = square(lamp.at[1] - radius, rows); y <= square(lamp.at[1] + radius, rows);
-             ++y) {
-            for (int x = square(lamp.at[0] - radius, lampColumns_);
-                 x <= square(lamp.at[0] + radius, lampColumns_); ++x)
-                take(static_cast<std::size_t>(y * lampColumns_ + x));
-        }
+    const int side = kFarthestLamp.raw >> 16;
+    lampColumns_ = (map_->width + side - 1) / side;
+    lampRows_ = (map_->depth + side - 1) / side;
+    firstInSquare_.assign(static_cast<std::size_t>(lampColumns_ * lampRows_) + 1, 0);
+    inSquares_.resize(lamps_.size());
+    const auto squareNumber = [&](const HungLamp& lamp) {
+        return static_cast<std::size_t>(squareOf(lamp.at[1], lampRows_) * lampColumns_ +
+                                        squareOf(lamp.at[0], lampColumns_));
     };
-    for (const HungLamp& lamp : hung_)
-        eachSquare(lamp, [&](std::size_t i) { ++firstLamps_[i + 1]; });
-    for (std::size_t i = 1; i < firstLamps_.size(); ++i) firstLamps_[i] += firstLamps_[i - 1];
-    lamps_.resize(firstLamps_.back());
-    std::vector<std::uint32_t> next(firstLamps_.begin(), firstLamps_.end() - 1);
-    for (const HungLamp& lamp : hung_)
-        eachSquare(lamp, [&](std::size_t i) { lamps_[next[i]++] = lamp; });
+    for (const HungLamp& lamp : lamps_) ++firstInSquare_[squareNumber(lamp) + 1];
+    for (std::size_t i = 1; i < firstInSquare_.size(); ++i)
+        firstInSquare_[i] += firstInSquare_[i - 1];
+    std::vector<std::uint32_t> next(firstInSquare_.begin(), firstInSquare_.end() - 1);
+    for (std::size_t i = 0; i < lamps_.size(); ++i)
+        inSquares_[next[squareNumber(lamps_[i])]++] = static_cast<std::uint16_t>(i);
+    for (CubeLamps& lamps : cubes_) lamps.known = false;
 }
 
-std::span<const HungLamp> LightScene::lampsNear(const LightVector& point) const {
-    const int rows = static_cast<int>(firstLamps_.size() - 1) / lampColumns_;
-    const int x = std::clamp((point[0] >> 16) / kLampSquare, 0, lampColumns_ - 1);
-    const int y = std::clamp((point[1] >> 16) / kLampSquare, 0, rows - 1);
-    const auto i = static_cast<std::size_t>(y * lampColumns_ + x);
-    return {lamps_.data() + firstLamps_[i], lamps_.data() + firstLamps_[i + 1]};
+// Lists, in near_, the lamps that reach a cube: as many of the nearest as may light it.
+void LightScene::chooseLamps(const LightVector& cube) {
+    near_.clear();
+    const int column = squareOf(cube[0] * kCubeSide, lampColumns_);
+    const int row = squareOf(cube[1] * kCubeSide, lampRows_);
+    const auto look = [&](const HungLamp& lamp, std::uint16_t number) {
+        std::int64_t toCube = 0;
+        std::int64_t toMiddle = 0;
+        for (std::size_t i = 0; i < 3; ++i) {
+            const std::int64_t low = std::int64_t{cube[i]} * kCubeSide;
+            const std::int64_t at = lamp.at[i];
+            const std::int64_t outside = std::max({low - at, at - low - kCubeSide, std::int64_t{0}});
+            const std::int64_t fromMiddle = at - low - kCubeSide / 2;
+            toCube += outside * outside;
+            toMiddle += fromMiddle * fromMiddle;
+        }
+        if (static_cast<double>(toCube) < lamp.square) near_.push_back({toMiddle, number});
+    };
+    for (int y = std::max(row - 1, 0); y <= std::min(row + 1, lampRows_ - 1); ++y) {
+        for (int x = std::max(column - 1, 0); x <= std::min(column + 1, lampColumns_ - 1); ++x) {
+            const auto square = static_cast<std::size_t>(y * lampColumns_ + x);
+            const std::uint32_t end = firstInSquare_[square + 1];
+            for (std::uint32_t i = firstInSquare_[square]; i < end; ++i)
+                look(lamps_[inSquares_[i]], inSquares_[i]);
+            work_ += (end - firstInSquare_[square]) / 4;
+        }
+    }
+    work_ += static_cast<LightWork>(near_.size());
+    if (near_.size() <= kMaxLampsOfCube) return;
+    mergeSort(near_, nearRoom_, [](const NearLamp& a, const NearLamp& b) {
+        return a.square != b.square ? a.square < b.square : a.number < b.number;
+    });
+    near_.resize(kMaxLampsOfCube);
+}
+
+std::span<const std::uint16_t> LightScene::lampsNear(const LightVector& point) {
+    if (lamps_.empty()) return {};
+    const LightVector cube = {point[0] >> 18, point[1] >> 18, point[2] >> 18};
+    static_assert(kCubeSide == 1 << 18);
+    // Those of 8 x 8 x 16 cubes have places of their own
+    const auto place = static_cast<std::size_t>((cube[0] & 7) | (cube[1] & 7) << 3 |
+                                                (cube[2] & 15) << 6);
+    CubeLamps& lamps = cubes_[place & (cubes_.size() - 1)];
+    if (!lamps.known || lamps.cube != cube) {
+        chooseLamps(cube);
+        lamps.cube = cube;
+        lamps.known = true;
+        lamps.count = static_cast<std::uint8_t>(near_.size());
+        for (std::size_t i = 0; i < near_.size(); ++i) lamps.numbers[i] = near_[i].number;
+    }
+    return {lamps.numbers.data(), lamps.count};
 }
 
 // ---- Faces

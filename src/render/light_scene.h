@@ -4,6 +4,8 @@
 #pragma once
 
 #include "render/light_way.h"
+#include "render/options.h"
+#include "world/baked_light.h"
 #include "world/world.h"
 
 #include <algorithm>
@@ -104,6 +106,15 @@ struct HungLamp {
 
 class LightScene {
 public:
+    // `sharing`: see LitMap.
+    explicit LightScene(std::size_t sharing = 1) : cubes_(kCubes / sharing) {}
+
+    // What is kept, bytes.
+    std::size_t bytes() const {
+        return cubes_.size() * sizeof(CubeLamps) + lamps_.size() * sizeof(HungLamp) +
+               changing_.size() * sizeof(ChangingTile);
+    }
+
     // How a block looks to light.
     struct Look {
         bool isWhole;  // it fills its cell, and stays so
@@ -168,7 +179,14 @@ public:
     // Whether a way meets the block of that blueprint in the cell at 0, 0, 0.
     bool meets(const LightWay& way, BlueprintId id) const;
 
-    std::span<const HungLamp> lampsNear(const LightVector& point) const;
+    // The numbers of the lamps that light what lies in the cube around a point. Valid until the
+    // next call.
+    std::span<const std::uint16_t> lampsNear(const LightVector& point);
+    const HungLamp& lamp(std::uint16_t number) const { return lamps_[number]; }
+
+    // What has been done since the scene was made, see LightWork.
+    LightWork work() const { return work_; }
+    void addWork(LightWork work) { work_ += work; }
 
     Look lookOf(BlueprintId id) const { return looks_[id]; }
     bool hasSky() const { return isBright(map_->baked.ambient); }
@@ -196,6 +214,7 @@ private:
     void hangLamps();
     void hang(const Lamp& lamp, const LitArea* face);
     void sortLamps();
+    void chooseLamps(const LightVector& cube);
     void findChangingTiles();
     std::uint64_t stateOf(int x, int y) const;
     const LightTint& tintOf(TextureId texture);
@@ -225,6 +244,7 @@ private:
     std::vector<ChangingTile> changing_;
     std::uint64_t changed_ = 0;
     std::uint64_t touched_ = 0;
+    LightWork work_ = 0;
 
     struct Tint {
         bool known = false;
@@ -233,12 +253,27 @@ private:
     std::vector<Tint> tints_;  // by TextureId
     std::vector<Look> looks_;  // by BlueprintId
 
-    // The lamps, in lists by squares of kLampSquare tiles.
-    static constexpr int kLampSquare = 4;
-    std::vector<HungLamp> hung_;
+    // The lamps, and their numbers in lists by squares of kFarthestLamp a side.
     std::vector<HungLamp> lamps_;
-    std::vector<std::uint32_t> firstLamps_;  // of each square; one more at the end
+    std::vector<std::uint16_t> inSquares_;
+    std::vector<std::uint32_t> firstInSquare_;  // of each square; one more at the end
     int lampColumns_ = 0;
+    int lampRows_ = 0;
+    // Those of cubes that have been asked for; cubes share places, and the last one stays.
+    struct CubeLamps {
+        LightVector cube{};
+        bool known = false;
+        std::uint8_t count = 0;
+        std::array<std::uint16_t, kMaxLampsOfCube> numbers{};
+    };
+    static constexpr std::size_t kCubes = 1024;  // a power of two
+    std::vector<CubeLamps> cubes_;
+    struct NearLamp {
+        std::int64_t square;  // of its distance from the middle of the cube
+        std::uint16_t number;
+    };
+    std::vector<NearLamp> near_;
+    std::vector<NearLamp> nearRoom_;
 };
 
 }  // namespace slicecast

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <array>
+#include <cassert>
 #include <cstddef>
 #include <cstdint>
 #include <cstdlib>
@@ -18,8 +19,14 @@ using LightVector = std::array<std::int32_t, 3>;  // east, south, up, 1/65536 un
 using LightMoment = std::int64_t;
 inline constexpr LightMoment kNeverMet = std::numeric_limits<LightMoment>::max();
 
-// No part is longer than 16 units, or it is the way to the sun, which is 1 unit long and leaves the
-// largest map within 2^13 units: so moments are below 2^63.
+// Moments keep below 2^63. A way that ends is at most kLongestWay long, so the product of two of
+// its parts is at most 2^39, that of all three below 2^58, and places are asked for up to a cell
+// beyond its ends: 8 * 2^39 * 2^20.1. An endless way is the one to the sun. It is 1 unit long, so
+// the product of two of its parts is at most 2^31, and it leaves the largest map, and the highest
+// ceiling, within kFarthestPlace: 8 * 2^31 * 2^28.
+inline constexpr std::int64_t kLongestWay = 16 * 65536;
+inline constexpr std::int64_t kFarthestPlace = 4096 * 65536;
+
 struct LightWay {
     LightVector from;
     LightVector step;
@@ -39,9 +46,20 @@ struct LightWay {
     // When it comes to a place along an axis.
     LightMoment at(std::int32_t place, std::size_t axis) const {
         const auto order = static_cast<LightMoment>(axis) - 3;
-        return step[axis] > 0   ? (std::int64_t{place} - from[axis]) * shares[axis] + order
-               : step[axis] < 0 ? (std::int64_t{from[axis]} - place) * shares[axis] - order
+        const std::int64_t distance = std::int64_t{place} - from[axis];
+        assert(step[axis] == 0 ||
+               std::abs(distance) <= (isEndless ? kFarthestPlace : kLongestWay) + 65536);
+        return step[axis] > 0   ? distance * shares[axis] + order
+               : step[axis] < 0 ? -distance * shares[axis] - order
                                 : kNeverMet;
+    }
+    // Whether a way passes a place along an axis, or begins or ends there: only then, and for cells
+    // that it passes, may one ask when.
+    bool reaches(std::int32_t place, std::size_t axis) const {
+        const std::int64_t distance = std::int64_t{place} - from[axis];
+        return step[axis] > 0   ? distance >= 0 && (isEndless || distance <= step[axis])
+               : step[axis] < 0 ? distance <= 0 && (isEndless || distance >= step[axis])
+                                : false;
     }
 
     // Calls visit(cell, leave, axis) for each cell that the way passes, in its order: tile and

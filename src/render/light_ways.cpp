@@ -65,7 +65,7 @@ LightTint LightScene::through(const LightVector& from, const LightVector& step, 
     constexpr LightTint kDark = {0, 0, 0};
     Travel travel{{from, step, endless}};
     const LightWay& way = travel.way;
-    if (step[2] < 0 && way.at(0, 2) < way.end()) return kDark;
+    if (step[2] < 0 && from[2] + step[2] < 0) return kDark;
     const int ceiling = map_->ceiling.tiles.empty() ? 0 : map_->ceiling.height.raw >> 16;
     const int highest = std::max(map_->levels - 1, ceiling);
     // Kept at hand: most cells hold nothing
@@ -76,8 +76,10 @@ LightTint LightScene::through(const LightVector& from, const LightVector& step, 
     const std::uint32_t* const changing = map_->changing.empty() ? occupied : map_->changing.data();
     LightMoment enter = 0;
     bool isLit = true;
+    LightWork cells = 0;
     way.eachCell([&](const LightVector& cell, LightMoment leave, std::size_t axis) {
         const auto& [x, y, level] = cell;
+        ++cells;
         if (step[2] >= 0 && level > highest) return false;
         if (x >= 0 && y >= 0 && x < width && y < depth) {
             const int tile = y * width + x;
@@ -93,6 +95,7 @@ LightTint LightScene::through(const LightVector& from, const LightVector& step, 
                             (step[1] <= 0 && y < 0) || (step[1] >= 0 && y >= depth);
         return !isGone;
     });
+    work_ += cells;
     if (!isLit) return kDark;
     if (travel.inside != nullptr && travel.leavesInTime) leaveBlock(travel);
     if (travel.ceiling != kNoTexture) travel.dim(tintOf(travel.ceiling));
@@ -138,7 +141,7 @@ bool LightScene::meetCell(Travel& travel, const LightVector& cell, LightMoment e
 bool LightScene::meetCeiling(Travel& travel, std::size_t tile, LightMoment enter,
                              LightMoment leave) const {
     const TextureId texture = map_->ceiling.tiles[tile];
-    if (texture == kNoTexture) return true;
+    if (texture == kNoTexture || !travel.way.reaches(map_->ceiling.height.raw, 2)) return true;
     const LightMoment at = travel.way.at(map_->ceiling.height.raw, 2);
     if (at <= enter || at > leave || at >= travel.way.end()) return true;
     travel.ceiling = texture;

@@ -12,8 +12,12 @@ namespace slicecast {
 
 inline constexpr Coordinate kFarthestLamp = {16 * 65536};
 inline constexpr double kStrongestLamp = 16.0;
-// Of a map, those of faces included: each is written into the list of every tile within its radius.
+// Of a map: those of the map's list, then of objects, then of faces. Others do not shine.
 inline constexpr std::size_t kMaxLamps = 65'536;
+// That light what lies in one cube of kLampCube units a side: the nearest ones. Each sample in the
+// cube sends a ray to each of them.
+inline constexpr std::size_t kMaxLampsOfCube = 64;
+inline constexpr int kLampCube = 4;  // units
 
 using LampId = std::uint16_t;  // index into World::lampKinds
 inline constexpr LampId kNoLamp = 0xffff;

@@ -1,4 +1,5 @@
 // The nodes of every face, as the renderer keeps them, against those that the definition says.
+#include "base/random.h"
 #include "light_tracer.h"
 #include "random_scene.h"
 #include "render/lit_maps.h"
@@ -6,6 +7,7 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cstdint>
 #include <string>
 
@@ -88,6 +90,57 @@ TEST(LightNodes, AreThoseOfTheDefinitionWhereASlopeHasMoved) {
         if (map.baked.on) compareMap(scene.world, map, counts);
     }
     EXPECT_GT(counts.rising, 0);
+    EXPECT_EQ(counts.wrong, 0);
+}
+
+// More lamps than light one place: the nearest ones count, and of equally near ones the first.
+TEST(LightNodes, AreThoseOfTheDefinitionUnderManyLamps) {
+    Counts counts;
+    int maps = 0;
+    for (std::uint64_t seed = 1; maps < (kSanitized ? 1 : 4); ++seed) {
+        Scene scene = seed % 2 == 0 ? tieScene(seed, 16, 16) : randomScene(seed, 16, 16);
+        Random random(seed);
+        for (Map& map : scene.world.maps) {
+            if (!map.baked.on) continue;
+            ++maps;
+            SCOPED_TRACE("seed " + std::to_string(seed));
+            for (int i = 0; i < 200; ++i) {
+                const auto quarter = [&](int units) {
+                    return Coordinate{static_cast<std::int32_t>(random.below(4 * units)) << 14};
+                };
+                const Coordinate x = quarter(std::min(map.width, 8));
+                const Coordinate y = quarter(std::min(map.depth, 8));
+                const Coordinate z = quarter(map.levels);
+                map.baked.lamps.push_back(
+                    {x, y, z, {.strength = 0.05, .radius = tileEdge(1 + random.below(6))}});
+            }
+            compareMap(scene.world, map, counts);
+        }
+    }
+    EXPECT_EQ(counts.wrong, 0);
+    EXPECT_GT(counts.faces, 300);
+}
+
+// However high the ceiling, it hides no lamp that hangs below it.
+TEST(LightNodes, AreTheSameUnderAnyCeiling) {
+    Counts counts;
+    for (int height = 5; height <= 1000; height += height < 80 ? 5 : 77) {
+        Scene scene = randomScene(11, 16, 16);
+        Map& map = scene.world.maps[0];
+        map.ceiling.tiles.assign(static_cast<std::size_t>(map.width) * map.depth, 0);
+        map.ceiling.height = tileEdge(height);
+        map.baked = {.on = true,
+                     .sun = {200, 200, 200, 255},
+                     .altitude = 30.0,
+                     .lamps = {{toCoordinate(1.5), toCoordinate(1.5), toCoordinate(0.7),
+                                {.radius = tileEdge(16)}}}};
+        for (int i = 0; i < 12; ++i) {
+            LightTracer tracer(scene.world, map);
+            LitMap lit;
+            lit.beginFrame(scene.world, map);
+            compareFace(tracer, lit, {i % 4, i / 4, 0, LitFace::kFloor}, counts);
+        }
+    }
     EXPECT_EQ(counts.wrong, 0);
 }
 

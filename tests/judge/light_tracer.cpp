@@ -425,13 +425,13 @@ Rgb LightTracer::lightOfSample(const Vector& at, const Area* area, int turns) {
     }
     const Rgb ambient = channels(baked.ambient);
     for (std::size_t i = 0; i < 3; ++i) light[i] += (ambient[i] * sky[i] + 1530) / 3060;
-    for (const HungLamp& hung : lamps_) {
-        const Lamp& lamp = hung.lamp;
+    for (const HungLamp* const hung : lampsNear(at)) {
+        const Lamp& lamp = hung->lamp;
         const Vector v = {lamp.x.raw - at[0], lamp.y.raw - at[1], lamp.z.raw - at[2]};
         const std::int64_t square = v[0] * v[0] + v[1] * v[1] + v[2] * v[2];
         const std::int64_t r = lamp.kind.radius.raw;
         if (square >= r * r) continue;
-        if (hung.plane && hung.plane->at(at) <= 0) continue;
+        if (hung->plane && hung->plane->at(at) <= 0) continue;
         const double c = square == 0 ? (area == nullptr ? 1.0 : 0.0) : cosine(v);
         if (!(c > 0.0)) continue;
         const double w = 1.0 - static_cast<double>(square) / static_cast<double>(r * r);
@@ -444,6 +444,32 @@ Rgb LightTracer::lightOfSample(const Vector& at, const Area* area, int turns) {
         }
     }
     return light;
+}
+
+const std::vector<const LightTracer::HungLamp*>& LightTracer::lampsNear(const Vector& at) {
+    constexpr std::int64_t kSide = std::int64_t{4} * 65536;
+    Vector low{};
+    for (std::size_t i = 0; i < 3; ++i) low[i] = floorDivided(at[i], kSide) * kSide;
+    const auto [found, isNew] = nearLamps_.try_emplace(low);
+    if (!isNew) return found->second;
+    std::multimap<std::int64_t, const HungLamp*> byDistance;
+    for (const HungLamp& hung : lamps_) {
+        const Vector lamp = {hung.lamp.x.raw, hung.lamp.y.raw, hung.lamp.z.raw};
+        std::int64_t toNearest = 0;
+        std::int64_t toMiddle = 0;
+        for (std::size_t i = 0; i < 3; ++i) {
+            const std::int64_t nearest = std::clamp(lamp[i], low[i], low[i] + kSide);
+            const std::int64_t middle = low[i] + kSide / 2;
+            toNearest += (lamp[i] - nearest) * (lamp[i] - nearest);
+            toMiddle += (lamp[i] - middle) * (lamp[i] - middle);
+        }
+        const std::int64_t r = hung.lamp.kind.radius.raw;
+        if (toNearest < r * r) byDistance.emplace(toMiddle, &hung);
+    }
+    for (const auto& [distance, hung] : byDistance) {
+        if (found->second.size() < 64) found->second.push_back(hung);
+    }
+    return found->second;
 }
 
 // The quarter in a column and row from 0 to 3 of its face.

@@ -107,6 +107,9 @@ private:
     // Without an area (an object's sample) cos is 1.
     Rgb lightOfSample(const Vector& at, const Area* area, int turns);
     Sample sampleOf(const LitFace& face, int column, int row);
+    // The lamps that light what lies in the cube of a point.
+    struct HungLamp;
+    const std::vector<const HungLamp*>& lampsNear(const Vector& at);
 
     const World& world_;
     const Map& map_;
@@ -116,6 +119,7 @@ private:
         std::optional<Plane> plane;  // of the face that it hangs before
     };
     std::vector<HungLamp> lamps_;
+    std::map<Vector, std::vector<const HungLamp*>> nearLamps_;  // by cube
     std::map<TextureId, Rgb> tints_;
     std::map<std::tuple<LitFace, int, int>, Sample> samples_;
     std::map<LitFace, Nodes> nodes_;
