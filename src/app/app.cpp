@@ -34,12 +34,14 @@ void App::play(std::unique_ptr<Session> game) {
     clock_.stop();
     meter_.skip();
     turnDegrees_ = lookHeights_ = 0.0;
+    beginning_ = Beginning{.lightLeft = kLightOfFirstPicture};
     redraw();
     tellChanges();
 }
 
 void App::redraw() {
     stale_ = true;
+    if (beginning_) beginning_->column = 0;
     if (wantsFrame()) shell_.askForFrame();
 }
 
@@ -339,6 +341,7 @@ void App::tellStep() {
 bool App::frame(double nowSeconds) {
     if (hidden_ || !game_) return false;
     if (!paused_) {
+        if (beginning_) clock_.stop();
         const int steps = clock_.advance(nowSeconds);
         for (int i = 0; i < steps; ++i) play();
         stale_ = true;
@@ -361,11 +364,17 @@ bool App::draw(double nowSeconds) {
     }
 
     // The picture; while paused, exactly of the last step
-    const double fraction = paused_ ? 1.0 : clock_.fraction();
+    const double fraction = paused_ || beginning_ ? 1.0 : clock_.fraction();
     const Picture picture = {static_cast<Pixel*>(surface_->pixels), width_, height_,
                              surface_->pitch / static_cast<int>(sizeof(Pixel))};
     const double begin = shell_.nowSeconds();
-    if (!game_->draw(picture, fraction)) return false;
+    if (beginning_ && !drawBeginning(picture)) {
+        stale_ = true;
+        return false;
+    }
+    if (!std::exchange(beginning_, {}) && !game_->draw(picture, fraction, kLightOfPicture))
+        return false;
+    stale_ = game_->report().lateLight > 0;
     const double end = shell_.nowSeconds();
     shell_.show(*surface_);
 
@@ -376,6 +385,25 @@ bool App::draw(double nowSeconds) {
     shell_.tellShown(std::exchange(shownEye_, eye) != eye);
     if (!paused_ && meter_.add(nowSeconds, end - begin)) shell_.tellRates(meter_.rates());
     return true;
+}
+
+// Draws slices of the first picture. False if there are more to come.
+bool App::drawBeginning(const Picture& picture) {
+    constexpr LightWork kLightOfSlice = 50'000;  // some milliseconds on a slow phone
+    const double begin = shell_.nowSeconds();
+    do {
+        const int next = beginning_->lightLeft > 0
+                             ? game_->drawSome(picture, 1.0, beginning_->column, kLightOfSlice)
+                         : game_->draw(picture, 1.0, kLightOfSlice) ? picture.width
+                                                                    : -1;
+        if (next < 0) {
+            beginning_.reset();
+            return false;
+        }
+        if (next == beginning_->column) beginning_->lightLeft -= kLightOfSlice;
+        beginning_->column = next;
+    } while (beginning_->column < picture.width && shell_.nowSeconds() - begin < kSliceSeconds);
+    return beginning_->column >= picture.width;
 }
 
 // The keys, the page and the engine (a body that is stuck starts to fly) all change modes, so they

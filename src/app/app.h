@@ -27,6 +27,13 @@ namespace slicecast {
 inline constexpr double kDefaultDegreesPerPixel = 0.15;  // mouse
 inline constexpr int kLargestPictureSide = 4096;         // pixels
 
+// The first picture of a game is drawn in slices, so that a page stays alive meanwhile.
+inline constexpr double kSliceSeconds = 0.008;
+// Light may take as long as some 10 frames of a usual scene in a picture, and 100 in the first one.
+// No shipped scene comes near; of others, the rest of the light comes with the next pictures.
+inline constexpr LightWork kLightOfPicture = 1'000'000;
+inline constexpr LightWork kLightOfFirstPicture = 10'000'000;
+
 class App {
 public:
     explicit App(Shell& shell);
@@ -100,6 +107,11 @@ public:
     // then asked for a frame.
     bool wantsFrame() const { return game_ && !hidden_ && (stale_ || !paused_); }
 
+    // Whether the game's first picture is being drawn: until it is shown, the screen keeps what it
+    // shows, and time stands still. Each frame() draws a part of it within kSliceSeconds or little
+    // more.
+    bool isBeginning() const { return game_ && beginning_.has_value(); }
+
     // Plays the steps that are due and draws. True if the screen shows a new picture. `nowSeconds`
     // is the moment for which the picture is meant, by the clock of Shell::nowSeconds.
     bool frame(double nowSeconds);
@@ -122,6 +134,7 @@ private:
     void changeMinimapLevel(int by);
     void tellChanges();
     bool draw(double nowSeconds);
+    bool drawBeginning(const Picture& picture);
 
     Shell& shell_;
     std::optional<Recorder> recorder_;  // outlives the game, which writes to it
@@ -147,6 +160,12 @@ private:
     bool pointerHeld_ = false;
     bool stale_ = true;
     bool ready_ = false;
+    // The first picture of a game, as far as it is drawn.
+    struct Beginning {
+        int column = 0;
+        LightWork lightLeft = 0;
+    };
+    std::optional<Beginning> beginning_;
     std::optional<Eye> shownEye_;  // of the last picture
     bool toldFly_ = false;
     bool toldOverlay_ = false;

@@ -24,8 +24,9 @@ SLICECAST_PAGE("closeCanvas") void slicecastCloseCanvas(void);
 SLICECAST_PAGE("now") double slicecastNow(void);
 SLICECAST_PAGE("leaveCanvas") void slicecastLeaveCanvas(void);
 SLICECAST_PAGE("showPixels") void slicecastShowPixels(uint32_t address, int width, int height);
-SLICECAST_PAGE("askForFrame") int slicecastAskForFrame(void);
-SLICECAST_PAGE("forgetFrame") void slicecastForgetFrame(int frame);
+// With the screen's next picture, or else as soon as the page has had its turn.
+SLICECAST_PAGE("askForFrame") void slicecastAskForFrame(int withScreen);
+SLICECAST_PAGE("forgetFrame") void slicecastForgetFrame(void);
 SLICECAST_PAGE("tell") void slicecastTell(const char* news, int yes);
 SLICECAST_PAGE("tellShown") void slicecastTellShown(int moved);
 SLICECAST_PAGE("tellPortal") void slicecastTellPortal(const char* from, const char* to);
@@ -66,7 +67,7 @@ public:
 
     bool isOpen = false;
     std::array<char, 32> code{};  // of the key of the current event
-    int frame = 0;                // the browser's number of the requested frame; 0 for none
+    bool asksFrame = false;       // of the browser
 };
 
 PageShell& shell() {
@@ -86,7 +87,9 @@ bool isShiftOrControl(SDL_Scancode key) {
 }
 
 void PageShell::askForFrame() {
-    if (isOpen && frame == 0) frame = slicecastAskForFrame();
+    if (!isOpen || asksFrame) return;
+    asksFrame = true;
+    slicecastAskForFrame(pageProgram().isBeginning() ? 0 : 1);
 }
 
 }  // namespace
@@ -102,7 +105,7 @@ int __wrap_SDL_SetError(const char*, ...) {
 void __wrap_SDL_Delay(Uint32) {}
 
 EMSCRIPTEN_KEEPALIVE void slicecastFrame(double timeMilliseconds) {
-    shell().frame = 0;
+    shell().asksFrame = false;
     pageProgram().frame(timeMilliseconds * 0.001);
     if (pageProgram().wantsFrame()) shell().askForFrame();
 }
@@ -184,8 +187,8 @@ bool beginPageProgram() {
 
 void endPageProgram() {
     if (!shell().isOpen) return;
-    if (shell().frame != 0) slicecastForgetFrame(shell().frame);
-    shell().frame = 0;
+    if (shell().asksFrame) slicecastForgetFrame();
+    shell().asksFrame = false;
     pageProgram().releaseKeys();
     pageProgram().pointerHeld(false);
     shell().isOpen = false;

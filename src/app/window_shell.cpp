@@ -111,7 +111,7 @@ void WindowShell::run(const std::function<void(const std::filesystem::path&)>& d
         // A picture, and the time until the next one is due
         const double now = nowSeconds();
         if (!app_->frame(now)) {
-            SDL_Delay(kIdleMillis);
+            if (!app_->isBeginning()) SDL_Delay(kIdleMillis);
             due = nowSeconds();
             continue;
         }

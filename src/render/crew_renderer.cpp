@@ -18,6 +18,8 @@ void add(FrameReport& sum, const FrameReport& part) {
     sum.layers += part.layers;
     sum.objectSlices += part.objectSlices;
     sum.rowsFilled += part.rowsFilled;
+    sum.lightWork += part.lightWork;
+    sum.lateLight += part.lateLight;
 }
 
 }  // namespace
@@ -47,6 +49,14 @@ bool CrewRenderer::draw(const World& world, const Eye& eye, const RenderOptions&
     for (int hand = 0; isDrawn && hand < hands; ++hand)
         add(report_, renderers_[static_cast<std::size_t>(hand)].report());
     return isDrawn;
+}
+
+int CrewRenderer::drawSome(const World& world, const Eye& eye, const RenderOptions& options,
+                           const Picture& picture, int firstColumn) {
+    Renderer& alone = renderers_.front();
+    const int next = alone.drawSome(world, eye, options, picture, firstColumn);
+    report_ = alone.report();
+    return next;
 }
 
 }  // namespace slicecast

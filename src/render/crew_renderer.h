@@ -25,6 +25,8 @@ public:
     // The same as in Renderer.
     bool draw(const World& world, const Eye& eye, const RenderOptions& options,
               const Picture& picture, int firstColumn = 0);
+    int drawSome(const World& world, const Eye& eye, const RenderOptions& options,
+                 const Picture& picture, int firstColumn);
     const FrameReport& report() const { return report_; }
     SliceTrace trace(const World& world, const Eye& eye, const RenderOptions& options,
                      const ColumnRequest& request) {

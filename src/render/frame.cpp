@@ -10,7 +10,7 @@ Frame::Frame(const World& w, const Eye& e, const RenderOptions& options, int wid
       lit(memory.lit),
       vistas(memory.vistas),
       ripples(memory.ripples) {
-    memory.lit.beginFrame(w, options.baked);
+    memory.lit.beginFrame(w, options);
     vistas.beginFrame(w, e, options, memory.lit, width, height);
     detail = Detail(options, vistas.projection().distance);
     rippleRows = hasRipples(w) ? mostRippleRows(height) : 0;

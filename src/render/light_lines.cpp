@@ -47,7 +47,7 @@ std::uint32_t LightLines::make(std::uint64_t key, std::uint32_t change, int leve
     return entry.first;
 }
 
-// Finds or adds an entry; `made` of a new one is 0.
+// Finds or adds an entry; `made` of a new one is kNone.
 LightLines::Entry& LightLines::entryOf(std::uint64_t key, int levelBits) {
     const auto placeOf = [&](std::uint64_t wanted) -> Entry& {
         std::size_t slot = slotOf(wanted);

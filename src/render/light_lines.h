@@ -56,7 +56,7 @@ private:
         std::uint64_t key = 0;  // 0: none
         std::uint32_t first = 0;
         std::uint32_t change = 0;
-        std::uint32_t made = 0;
+        std::uint32_t made = kNone;
     };
     static constexpr std::size_t kLeastKept = 8192;  // lines
 

@@ -1,6 +1,7 @@
 #include "render/lit_maps.h"
 
 #include <algorithm>
+#include <bit>
 
 namespace slicecast {
 namespace {
@@ -9,8 +10,9 @@ constexpr std::size_t kFirstRecordSlots = 1024;
 
 }  // namespace
 
-void LitMap::beginFrame(const World& world, const Map& map) {
+void LitMap::beginFrame(const World& world, const Map& map, LightAllowance* allowance) {
     const std::uint32_t before = change_;
+    allowance_ = allowance;
     lines_.beginFrame();
     if (scene_.begin(world, map) || objects_.size() != map.objects.size()) {
         forgetAll();
@@ -22,7 +24,10 @@ void LitMap::beginFrame(const World& world, const Map& map) {
         for (std::size_t bit = 0; bit < changes_.size(); ++bit) {
             if ((scene_.changed() >> bit & 1) != 0) changes_[bit] = change_;
         }
+    } else if (isLate_) {
+        ++change_;  // so that all is asked for again
     }
+    isLate_ = false;
     images_.beginFrame(change_ != before);
 }
 
@@ -33,14 +38,20 @@ void LitMap::forgetAll() {
     keys_.clear();
     slots_.assign(kFirstRecordSlots, 0);
     odd_.clear();
-    recent_.assign(kRecent, {});
+    std::fill(recent_.begin(), recent_.end(), Recent{});
+    images_.clear();
+    lines_.clear();
+}
+
+void LitMap::forgetTexels() {
     images_.clear();
     lines_.clear();
 }
 
 std::size_t LitMap::bytes() const {
     return records_.size() * (sizeof(Record) + sizeof(std::uint64_t)) +
-           slots_.size() * sizeof(std::uint32_t) + odd_.size() * sizeof(FaceNodes);
+           slots_.size() * sizeof(std::uint32_t) + odd_.size() * sizeof(FaceNodes) +
+           images_.kept() * sizeof(Pixel) + lines_.kept() * sizeof(LightLine);
 }
 
 bool LitMap::isStale(std::uint64_t touched, std::uint32_t made) const {
@@ -55,7 +66,7 @@ const FaceNodes* LitMap::findNodes(const LitFaceAt& face) {
     const Record* const record = findRecord(face);
     if (record == nullptr) return nullptr;
     const std::uint64_t key = face.key();
-    Recent& recent = recent_[scattered(key) & (kRecent - 1)];
+    Recent& recent = recent_[scattered(key) & (recent_.size() - 1)];
     recent = {key, change_, nodesIn(*record)};
     return &recent.nodes;
 }
@@ -83,8 +94,28 @@ const LitMap::Record* LitMap::findRecord(const LitFaceAt& face) {
     LitArea area;
     if (!scene_.findArea(face, area)) return nullptr;
     Record& record = recordOf(face.key());
-    if (record.made == 0 || isStale(record.touched, record.made)) makeRecord(face, area, record);
+    if (record.made != 0 && !isStale(record.touched, record.made)) return &record;
+    const bool isMade = worksOut([&] { makeRecord(face, area, record); });
+    if (!isMade && record.made == 0) keep(LightSamples::ofAmbient(scene_), record);
     return &record;
+}
+
+// Works something out, if the picture's allowance is not used up.
+template <typename Make>
+bool LitMap::worksOut(Make&& make) {
+    if (allowance_ == nullptr) {
+        make();
+        return true;
+    }
+    if (allowance_->left <= 0) {
+        ++allowance_->late;
+        isLate_ = true;
+        return false;
+    }
+    const LightWork before = scene_.work();
+    make();
+    allowance_->left -= scene_.work() - before;
+    return true;
 }
 
 // Finds or adds a record; `made` of a new one is 0.
@@ -108,15 +139,19 @@ LitMap::Record& LitMap::recordOf(std::uint64_t key) {
 }
 
 void LitMap::makeRecord(const LitFaceAt& face, const LitArea& area, Record& record) {
+    scene_.clearTouched();
+    const FaceNodes nodes = samples_.nodesOf(scene_, face, area);
+    record.touched = scene_.touched();
+    record.made = change_;
+    keep(nodes, record);
+}
+
+void LitMap::keep(const FaceNodes& nodes, Record& record) {
     const auto indexIn = [](const Record& r) {
         return static_cast<std::size_t>(r.nodes[0] | r.nodes[1] << 8 | r.nodes[2] << 16);
     };
     const std::size_t place = record.odd != 0 ? indexIn(record) : odd_.size();
-    record.made = change_;
     record.odd = 0;
-    scene_.clearTouched();
-    const FaceNodes nodes = samples_.nodesOf(scene_, face, area);
-    record.touched = scene_.touched();
     for (int a = 0; a < 3; ++a) {
         for (int b = 0; b < 3; ++b) {
             const Colour node =
@@ -157,21 +192,57 @@ const LightColour& LitMap::ofObject(int index) {
     if (lit.made != 0 && lit.x == object.x && lit.y == object.y && lit.z == object.z &&
         !isStale(lit.touched, lit.made))
         return lit.light;
-    scene_.clearTouched();
-    lit.light = LightSamples::ofObject(scene_, object);
-    lit.touched = scene_.touched();
-    lit.made = change_;
-    lit.x = object.x;
-    lit.y = object.y;
-    lit.z = object.z;
+    const bool isMade = worksOut([&] {
+        scene_.clearTouched();
+        lit.light = LightSamples::ofObject(scene_, object);
+        lit.touched = scene_.touched();
+        lit.made = change_;
+        lit.x = object.x;
+        lit.y = object.y;
+        lit.z = object.z;
+    });
+    if (!isMade && lit.made == 0) {
+        const Colour ambient = toColour(LightSamples::ofAmbient(scene_).middle());
+        lit.light = {ambient.r, ambient.g, ambient.b};
+    }
     return lit.light;
 }
 
-void LitMaps::beginFrame(const World& world, bool on) {
+void LitMaps::beginFrame(const World& world, const RenderOptions& options) {
     world_ = &world;
-    on_ = on;
+    on_ = options.baked;
+    allowed_ = options.lightWork;
+    allowance_ = {allowed_};
     maps_.resize(world.maps.size());
+    const auto lit = static_cast<std::size_t>(std::count_if(
+        world.maps.begin(), world.maps.end(), [](const Map& map) { return map.baked.on; }));
+    sharing_ = std::bit_ceil(std::max<std::size_t>(lit / kFastLitMaps, 1));
     for (Entry& entry : maps_) entry.hasBegun = false;
+}
+
+std::size_t LitMaps::bytes() const {
+    std::size_t sum = 0;
+    for (const Entry& entry : maps_) {
+        if (entry.map != nullptr) sum += entry.map->bytes() + entry.map->overhead();
+    }
+    return sum;
+}
+
+// First the light of maps that this frame has not shown yet, then lit texels, then all.
+void LitMaps::beginStrip() {
+    if (bytes() <= kMostLightKept) return;
+    for (Entry& entry : maps_) {
+        if (!entry.hasBegun) entry.map.reset();
+    }
+    for (int all = 0; all < 2 && bytes() > kMostLightKept / 2; ++all) {
+        for (Entry& entry : maps_) {
+            if (entry.map == nullptr) continue;
+            if (all == 0)
+                entry.map->forgetTexels();
+            else
+                entry.map->forgetAll();
+        }
+    }
 }
 
 void LitMaps::begin(int map, Entry& entry) {
@@ -179,8 +250,8 @@ void LitMaps::begin(int map, Entry& entry) {
     entry.hasBegun = true;
     entry.on = on_ && grid.baked.on;
     if (!entry.on) return;
-    if (entry.map == nullptr) entry.map = std::make_unique<LitMap>();
-    entry.map->beginFrame(*world_, grid);
+    if (entry.map == nullptr) entry.map = std::make_unique<LitMap>(sharing_);
+    entry.map->beginFrame(*world_, grid, &allowance_);
 }
 
 }  // namespace slicecast

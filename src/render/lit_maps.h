@@ -16,16 +16,36 @@
 
 namespace slicecast {
 
+// What a picture may still work out of light.
+struct LightAllowance {
+    LightWork left = kAllLight;
+    std::int64_t late = 0;  // see FrameReport::lateLight
+};
+
+// Of the maps that have baked light, so many are kept with all that speeds it up.
+inline constexpr std::size_t kFastLitMaps = 4;
+// What is kept of the light of all maps, bytes: more is given back between strips.
+inline constexpr std::size_t kMostLightKept = 32u << 20;
+
 // The light of one map.
 class LitMap {
 public:
-    // Once before each frame.
-    void beginFrame(const World& world, const Map& map);
+    // What speeds light up takes 1.2 MB, or that divided by `sharing`, a power of two up to 128.
+    explicit LitMap(std::size_t sharing = 1)
+        : scene_(sharing), samples_(sharing), recent_(kRecent / sharing) {}
+
+    // Once before each frame. `allowance` is what is left of the picture's work of light, or null
+    // for no limit; it must outlive the frame.
+    void beginFrame(const World& world, const Map& map, LightAllowance* allowance = nullptr);
+
+    // Between strips: gives back what is kept, as far as nothing holds it.
+    void forgetTexels();
+    void forgetAll();
 
     // The nodes of a face; null if there is no such face. Valid until the next call.
     const FaceNodes* nodesOf(const LitFaceAt& face) {
         const std::uint64_t key = face.key();
-        const Recent& recent = recent_[scattered(key) & (kRecent - 1)];
+        const Recent& recent = recent_[scattered(key) & (recent_.size() - 1)];
         return recent.key == key && recent.change == change_ ? &recent.nodes : findNodes(face);
     }
 
@@ -47,9 +67,13 @@ public:
     // Of an object: 0 to 256 for each channel.
     const LightColour& ofObject(int index);
 
-    // Faces whose light is kept, and the bytes of all that is kept of it.
+    // Faces whose light is kept, and the bytes of that and of their lit texels.
     std::size_t faces() const { return records_.size(); }
     std::size_t bytes() const;
+    // What speeds light up, bytes.
+    std::size_t overhead() const {
+        return scene_.bytes() + samples_.bytes() + recent_.size() * sizeof(Recent);
+    }
 
 private:
     // The light of a face. Nodes that all of its squares share are kept once: 3 x 3 of them.
@@ -83,16 +107,20 @@ private:
         return static_cast<std::size_t>(key * 0x9e3779b97f4a7c15u >> 32);
     }
     bool isStale(std::uint64_t touched, std::uint32_t made) const;
-    void forgetAll();
+    template <typename Make>
+    bool worksOut(Make&& make);
     const FaceNodes* findNodes(const LitFaceAt& face);
     const Record* findRecord(const LitFaceAt& face);
     Record& recordOf(std::uint64_t key);
     void makeRecord(const LitFaceAt& face, const LitArea& area, Record& record);
+    void keep(const FaceNodes& nodes, Record& record);
     FaceNodes nodesIn(const Record& record) const;
     std::uint32_t makeLines(LitFaceAt face, int levelBits, const LitFaceAt& instead);
 
     LightScene scene_;
     LightSamples samples_;
+    LightAllowance* allowance_ = nullptr;
+    bool isLate_ = false;  // something is not as it should be since the last frame
     std::uint32_t change_ = 0;                 // counts what has changed
     std::array<std::uint32_t, 64> changes_{};  // by place bit: the last change there
 
@@ -110,8 +138,18 @@ private:
 // The maps of a world with baked light; what is known is kept from frame to frame.
 class LitMaps {
 public:
-    // `on` is RenderOptions::baked. The world must outlive the frame.
-    void beginFrame(const World& world, bool on);
+    // The world must outlive the frame.
+    void beginFrame(const World& world, const RenderOptions& options);
+
+    // Once before each strip: keeps to kMostLightKept, whatever the pictures before have shown.
+    void beginStrip();
+
+    // What is kept.
+    std::size_t bytes() const;
+
+    // Of this frame; see FrameReport.
+    LightWork work() const { return allowed_ - allowance_.left; }
+    std::int64_t late() const { return allowance_.late; }
 
     // Null if the map has no baked light.
     LitMap* of(int map) {
@@ -137,6 +175,9 @@ private:
 
     const World* world_ = nullptr;
     bool on_ = false;
+    std::size_t sharing_ = 1;  // see LitMap
+    LightWork allowed_ = kAllLight;
+    LightAllowance allowance_;
     std::vector<Entry> maps_;
     std::vector<Pixel> scratch_;
 };

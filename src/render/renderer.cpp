@@ -61,12 +61,15 @@ struct Renderer::Strips {
 
     // Draws up to the next multiple of kStripColumns. Returns the number of columns.
     int draw(int x) {
+        frame.lit.beginStrip();
         const int columns = std::min(kStripColumns - x % kStripColumns, picture.width - x);
         walk.find(x, columns);
         for (int c = 0; c < columns; ++c)
             painter.paint(scratch.strips.found[static_cast<std::size_t>(c)],
                           scratch.strip.column(c));
         scratch.strip.copyTo(picture, x, columns);
+        scratch.report.lightWork = frame.lit.work();
+        scratch.report.lateLight = frame.lit.late();
         return columns;
     }
 
@@ -84,6 +87,25 @@ bool Renderer::draw(const World& world, const Eye& eye, const RenderOptions& opt
     Strips strips(world, eye, options, picture, *scratch_);
     for (int x = std::max(0, firstColumn); x < picture.width;) x += strips.draw(x);
     return true;
+}
+
+int Renderer::drawSome(const World& world, const Eye& eye, const RenderOptions& options,
+                       const Picture& picture, int firstColumn) {
+    if (!canDraw(world, eye, options, picture)) return -1;
+    constexpr int kColumns = 4 * kStripColumns;
+    int x = std::max(0, firstColumn);
+    if (x == 0) scratch_->report = {};
+    Strips strips(world, eye, options, picture, *scratch_);
+    for (const int end = std::min(x + kColumns, picture.width); x < end;) {
+        const FrameReport before = scratch_->report;
+        const int columns = strips.draw(x);
+        if (strips.frame.lit.late() > 0) {
+            scratch_->report = before;
+            return x;
+        }
+        x += columns;
+    }
+    return x;
 }
 
 bool Renderer::drawStrips(const World& world, const Eye& eye, const RenderOptions& options,

@@ -41,6 +41,12 @@ public:
     bool draw(const World& world, const Eye& eye, const RenderOptions& options,
               const Picture& picture, int firstColumn = 0);
 
+    // Draws some strips of a picture, from a column on: few enough to take milliseconds, and only
+    // those whose light options.lightWork leaves room for. Returns the column where the next call
+    // has to go on, the picture's width when it is whole, or -1 for what draw refuses.
+    int drawSome(const World& world, const Eye& eye, const RenderOptions& options,
+                 const Picture& picture, int firstColumn);
+
     // Draws strips of a picture: those that start at the columns returned by `next`, until it
     // returns one beyond the picture; each ends before the next multiple of kStripColumns. So
     // several renderers can draw one picture at the same time. Refuses what draw refuses; then it

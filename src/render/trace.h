@@ -2,6 +2,7 @@
 #pragma once
 
 #include "base/coordinate.h"
+#include "render/options.h"
 #include "world/blueprint.h"
 
 #include <array>
@@ -174,6 +175,9 @@ struct FrameReport {
     std::int64_t objectSlices = 0;  // columns of objects drawn
     // Rows of slices: each once, and again for each layer over it.
     std::int64_t rowsFilled = 0;
+    LightWork lightWork = 0;  // done for baked light
+    // How often light was asked for that RenderOptions::lightWork left no room for.
+    std::int64_t lateLight = 0;
 };
 
 // The column of a picture to trace.

@@ -142,23 +142,45 @@ void Session::stepAround(const GateAsk& ask) {
     liftObjects(world_, std::span(bodies_).subspan(1));
 }
 
-bool Session::draw(const Picture& picture, double fraction) {
+bool Session::draw(const Picture& picture, double fraction, LightWork lightWork) {
     clock_.begin();
     // Movers are shown between the steps like the eye; otherwise they would tremble for a player
     // who rides on one.
     showMovers(world_, fraction);
     drawnFraction_ = fraction;
-    const bool isDrawn = drawView(eye(fraction), picture);
+    const bool isDrawn = drawView(eye(fraction), picture, lightWork);
     showMovers(world_, 1.0);
     return isDrawn;
 }
 
-bool Session::drawView(const Eye& seen, const Picture& picture) {
+int Session::drawSome(const Picture& picture, double fraction, int firstColumn,
+                      LightWork lightWork) {
+    // What the classic method draws has no baked light
+    if (classicColumns(picture.width) > 0)
+        return draw(picture, fraction, lightWork) ? picture.width : -1;
+    clock_.begin();
+    showMovers(world_, fraction);
+    drawnFraction_ = fraction;
+    const Eye seen = eye(fraction);
+    RenderOptions options = options_.render;
+    options.lightWork = lightWork;
+    const int next = renderer_.drawSome(world_, seen, options, picture, firstColumn);
+    if (next == picture.width) {
+        clock_.endView();
+        drawOverlays(seen, picture);
+        clock_.endOverlays();
+    }
+    showMovers(world_, 1.0);
+    return next;
+}
+
+bool Session::drawView(const Eye& seen, const Picture& picture, LightWork lightWork) {
     const int classic = classicColumns(picture.width);
     const bool isAllClassic = classic > 0 && classic >= picture.width;
     // Skips the columns that the classic method draws afterwards.
-    if (!isAllClassic && !renderer_.draw(world_, seen, options_.render, picture, classic))
-        return false;
+    RenderOptions options = options_.render;
+    options.lightWork = lightWork;
+    if (!isAllClassic && !renderer_.draw(world_, seen, options, picture, classic)) return false;
     if (classic > 0) {
         const std::optional<FrameReport> report =
             drawClassic(world_, seen, options_.render, options_.classic, picture, classic);

@@ -69,7 +69,13 @@ public:
 
     // Draws the view at `fraction` of the way between the last two steps, and the overlays that are
     // on. False if the picture cannot be drawn (see Renderer::draw).
-    bool draw(const Picture& picture, double fraction = 1.0);
+    // Light beyond `lightWork` comes late: see RenderOptions.
+    bool draw(const Picture& picture, double fraction = 1.0, LightWork lightWork = kAllLight);
+
+    // Draws a part of such a picture, from a column on, within milliseconds. Returns the column
+    // where the next call has to go on, the picture's width when it is whole, or -1 if it cannot be
+    // drawn. Nothing else may happen to the session in between.
+    int drawSome(const Picture& picture, double fraction, int firstColumn, LightWork lightWork);
 
     // Back to the world's start, standing and walking. Motions, gates and animations restart, and
     // every cell is as the scene has it. Options stay.
@@ -153,7 +159,7 @@ private:
     GateAsk gateAsk(const Input& input);
     void stepAround(const GateAsk& ask);
     void keepNews();
-    bool drawView(const Eye& seen, const Picture& picture);
+    bool drawView(const Eye& seen, const Picture& picture, LightWork lightWork);
     SliceTrace traceFrom(const Eye& seen, const ColumnRequest& request);
     double classicShare() const;          // share of the width, from the left
     int classicColumns(int width) const;  // columns that the classic method draws

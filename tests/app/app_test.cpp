@@ -17,7 +17,7 @@ namespace {
 // A screen that notes down what it is told.
 class NoteShell : public Shell {
 public:
-    double nowSeconds() const override { return now; }
+    double nowSeconds() const override { return now += secondsPerLook; }
     void show(SDL_Surface& picture) override {
         ++shown;
         const auto* pixels = static_cast<const Pixel*>(picture.pixels);
@@ -40,7 +40,8 @@ public:
     }
     void leave() override { ++left; }
 
-    double now = 100.0;
+    mutable double now = 100.0;
+    double secondsPerLook = 0.0;
     int shown = 0;
     int asked = 0;
     int toldShown = 0;
@@ -105,6 +106,46 @@ TEST_F(AppTest, ShowsAndReportsTheFirstPicture) {
     play(0.5);
     EXPECT_EQ(count(News::ready), 1);
     EXPECT_EQ(shell.sizes.size(), 1u);
+}
+
+// A slow machine: each look at the clock finds 3 ms gone.
+TEST_F(AppTest, DrawsTheFirstPictureInSlices) {
+    app.resize(640, 40);
+    shell.secondsPerLook = 0.003;
+    app.play(std::make_unique<Session>(makeField()));
+    const int shown = shell.shown;
+    int slices = 0;
+    while (shell.shown == shown) {
+        ASSERT_LT(++slices, 20);
+        EXPECT_TRUE(app.wantsFrame());
+        EXPECT_TRUE(app.isBeginning());
+        const double begin = shell.now;
+        app.frame(shell.now);
+        EXPECT_LT(shell.now - begin, 0.03) << "the whole picture takes twice as long";
+        EXPECT_EQ(app.game()->steps(), 0) << "time stands still";
+    }
+    EXPECT_GE(slices, 3);
+    EXPECT_FALSE(app.isBeginning());
+    std::vector<Pixel> whole(640 * 40);
+    ASSERT_TRUE(app.game()->draw({whole.data(), 640, 40, 640}));
+    EXPECT_EQ(shell.last, whole);
+    play(0.5);
+    EXPECT_GT(app.game()->steps(), 30);
+}
+
+// What changes in between is in all of the picture.
+TEST_F(AppTest, BeginsTheFirstPictureAnewWhenSomethingChanges) {
+    app.resize(640, 40);
+    shell.secondsPerLook = 0.003;
+    app.play(std::make_unique<Session>(makeField()));
+    app.frame(shell.now);
+    app.game()->setOption("fov", 90.0);
+    app.redraw();
+    const int shown = shell.shown;
+    for (int i = 0; i < 20 && shell.shown == shown; ++i) app.frame(shell.now);
+    std::vector<Pixel> whole(640 * 40);
+    ASSERT_TRUE(app.game()->draw({whole.data(), 640, 40, 640}));
+    EXPECT_EQ(shell.last, whole);
 }
 
 TEST_F(AppTest, ASecondIsAHundredAndTwentySteps) {

@@ -7,6 +7,9 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
+#include <string>
+
 namespace slicecast {
 namespace {
 
@@ -220,6 +223,129 @@ TEST(BakedLight, TakesFewBytesForAFace) {
     }
     EXPECT_GT(lit.faces(), 150u);
     EXPECT_LT(lit.bytes(), lit.faces() * 80);
+}
+
+// A hall with 2,178 lamps that all reach far, and a block that moves under them.
+struct ManyLamps : WorldBuilder {
+    ManyLamps() {
+        texture("grey", {200, 200, 200, 255});
+        block('#');
+        world.motions.push_back({.name = "lift", .to = toCoordinate(0.5), .periodSteps = 360});
+        block('L', {.name = "lift", .top = 0.5}).motion = 0;
+        std::string rows = "\n";
+        for (int y = 0; y < 33; ++y)
+            rows += (y == 3 ? "#......L........................#" : "#...............................#") +
+                    std::string("\n");
+        Map& hall = map("hall", 2, rows);
+        hall.baked.on = true;
+        hall.baked.ambient = {30, 30, 30, 255};
+        for (int i = 0; i < 33 * 66; ++i) {
+            hall.baked.lamps.push_back(
+                {toCoordinate(i % 33 + 0.5), toCoordinate(i / 66 + 0.5),
+                 toCoordinate(i / 33 % 2 == 0 ? 0.1 : 1.1), {.strength = 0.05, .radius = tileEdge(16)}});
+        }
+        start(1.3, 4.4);
+        EXPECT_TRUE(makeMovers(world).empty());
+    }
+};
+
+// Work counts cells, so it is the same on every machine. Without a most per place, this picture
+// would need 34 times as much.
+TEST(BakedLight, CostsNoMoreWithMoreLamps) {
+    ManyLamps hall;
+    Renderer renderer;
+    draw(renderer, hall.world);
+    EXPECT_LT(renderer.report().lightWork, 5'000'000);
+    EXPECT_GT(renderer.report().lightWork, 100'000);
+    for (int step = 0; step < 40; ++step) stepWorld(hall.world, {}, {});
+    draw(renderer, hall.world);
+    EXPECT_GT(renderer.report().lightWork, 1'000) << "the block has moved";
+}
+
+// What a picture has no time for comes with the next ones: then all is as if drawn at once.
+TEST(BakedLight, ComesLateWhereAPictureHasNoTimeForIt) {
+    ManyLamps hall;
+    Renderer whole;
+    Renderer hasty;
+    constexpr LightWork kAllowed = 100'000;
+    constexpr LightWork kMostOfAFace = 50'000;
+    int pictures = 0;
+    int unlike = 0;
+    for (int round = 0; round < 3; ++round) {
+        const Image wanted = draw(whole, hall.world);
+        Image shown;
+        do {
+            shown = draw(hasty, hall.world, {.lightWork = kAllowed});
+            EXPECT_LT(hasty.report().lightWork, kAllowed + kMostOfAFace);
+            ++pictures;
+            ASSERT_LT(pictures, 200);
+            unlike += shown.pixels != wanted.pixels ? 1 : 0;
+        } while (hasty.report().lateLight > 0);
+        EXPECT_EQ(shown.pixels, wanted.pixels) << "round " << round;
+        for (int step = 0; step < 40; ++step) stepWorld(hall.world, {}, {});
+    }
+    EXPECT_GT(pictures, 6);
+    EXPECT_GT(unlike, 3);
+}
+
+TEST(BakedLight, CanBeDrawnInParts) {
+    ManyLamps hall;
+    Renderer whole;
+    Renderer parts;
+    constexpr int kWide = 200;
+    Eye eye;
+    eye.x = toCoordinate(1.3);
+    eye.y = toCoordinate(4.4);
+    eye.z = toCoordinate(1.7);
+    eye.headingDegrees = 40.0;
+    Image wanted(kWide, kHeight);
+    Image image(kWide, kHeight);
+    whole.draw(hall.world, eye, {}, {wanted.pixels.data(), kWide, kHeight, kWide});
+    int calls = 0;
+    for (int column = 0; column < kWide; ++calls) {
+        ASSERT_LT(calls, 1000);
+        const int next = parts.drawSome(hall.world, eye, {.lightWork = 50'000},
+                                        {image.pixels.data(), kWide, kHeight, kWide}, column);
+        ASSERT_GE(next, column);
+        ASSERT_LE(next, column + 64);
+        column = next;
+    }
+    EXPECT_GT(calls, 10);
+    EXPECT_EQ(image.pixels, wanted.pixels);
+    EXPECT_EQ(parts.report().rowsFilled, whole.report().rowsFilled) << "counted once";
+    eye.z = toCoordinate(-1.0);
+    EXPECT_EQ(parts.drawSome(hall.world, eye, {}, {image.pixels.data(), kWide, kHeight, kWide}, 0),
+              -1);
+}
+
+// Many maps, of which all light is asked for: what is kept stays within its bound.
+TEST(BakedLight, KeepsToItsMemory) {
+    WorldBuilder builder;
+    builder.texture("grey", {200, 200, 200, 255});
+    builder.block('#');
+    constexpr int kMaps = 20;
+    constexpr int kTiles = 32;  // a side
+    for (int i = 0; i < kMaps; ++i) {
+        Map& map = builder.map(("map" + std::to_string(i)).c_str(), kTiles, kTiles, 1);
+        map.baked.on = true;
+        map.baked.ambient = {60, 60, 60, 255};
+    }
+    LitMaps maps;
+    std::size_t most = 0;
+    std::size_t faces = 0;
+    maps.beginFrame(builder.world, {});
+    for (int i = 0; i < kMaps; ++i) {
+        for (int tile = 0; tile < kTiles * kTiles; ++tile) {
+            if (tile % 100 == 0) maps.beginStrip();
+            maps.of(i)->linesOf({tile % kTiles, tile / kTiles, 0, LitFace::floor}, 6, kOutside);
+            ++faces;
+        }
+        most = std::max(most, maps.bytes());
+        if (i % 10 == 9) maps.beginFrame(builder.world, {});
+    }
+    EXPECT_GT(faces * 128 * sizeof(LightLine), kMostLightKept) << "or nothing is given back";
+    EXPECT_LT(most, kMostLightKept + (1u << 20));
+    EXPECT_GT(most, kMostLightKept / 2);
 }
 
 }  // namespace

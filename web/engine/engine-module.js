@@ -34,7 +34,7 @@ export async function createModule(
   };
   let bytes = new Uint8Array();
   let screen = null;
-  let asked = 0; // the request id of the last requested frame
+  let forgetFrame = () => {}; // the last requested one
 
   const drawFrame = (time) => {
     const begin = performance.now();
@@ -62,8 +62,13 @@ export async function createModule(
     },
     now: () => performance.now(),
     showPixels: (at, width, height) => screen.show(module.HEAPU8.buffer, at >>> 0, width, height),
-    askForFrame: () => (asked = requestAnimationFrame(drawFrame)),
-    forgetFrame: (frame) => cancelAnimationFrame(frame),
+    askForFrame(withScreen) {
+      const frame = withScreen
+        ? requestAnimationFrame(drawFrame)
+        : setTimeout(() => drawFrame(performance.now()));
+      forgetFrame = () => (withScreen ? cancelAnimationFrame : clearTimeout)(frame);
+    },
+    forgetFrame: () => forgetFrame(),
     leaveCanvas: () => canvas.blur(),
     tell: (news, yes) => onSlicecast(module.UTF8ToString(news), yes !== 0),
     tellShown(moved) {
@@ -134,7 +139,7 @@ export async function createModule(
   for (const [name, value] of Object.entries(exports)) module[`_${name}`] = value;
   // Draws now instead of in the requested frame.
   module.frameNow = (time) => {
-    cancelAnimationFrame(asked);
+    forgetFrame();
     drawFrame(time);
   };
   return module;
