@@ -375,6 +375,8 @@ bool App::draw(double nowSeconds) {
     if (!std::exchange(beginning_, {}) && !game_->draw(picture, fraction, kLightOfPicture))
         return false;
     stale_ = game_->report().lateLight > 0;
+    if (game_->report().unlit > 0 && ++unlitPictures_ < kMostUnlitPictures) return false;
+    unlitPictures_ = 0;
     const double end = shell_.nowSeconds();
     shell_.show(*surface_);
 

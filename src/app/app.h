@@ -29,10 +29,14 @@ inline constexpr int kLargestPictureSide = 4096;         // pixels
 
 // The first picture of a game is drawn in slices, so that a page stays alive meanwhile.
 inline constexpr double kSliceSeconds = 0.008;
-// Light may take as long as some 10 frames of a usual scene in a picture, and 100 in the first one.
-// No shipped scene comes near; of others, the rest of the light comes with the next pictures.
-inline constexpr LightWork kLightOfPicture = 1'000'000;
-inline constexpr LightWork kLightOfFirstPicture = 10'000'000;
+// Light may take as long as some 20 simple frames in a picture, and 100 in the first one. Shipped
+// scenes need 844,000 at most, for their first one; of others, the rest of the light comes with the
+// next pictures.
+inline constexpr LightWork kLightOfPicture = 500'000;
+inline constexpr LightWork kLightOfFirstPicture = 3'000'000;
+// A picture in which something has no light at all is not shown, but at most so many in turn: after
+// a leap into another map, or another time of day, the next one has it all.
+inline constexpr int kMostUnlitPictures = 8;
 
 class App {
 public:
@@ -166,6 +170,7 @@ private:
         LightWork lightLeft = 0;
     };
     std::optional<Beginning> beginning_;
+    int unlitPictures_ = 0;  // in turn
     std::optional<Eye> shownEye_;  // of the last picture
     bool toldFly_ = false;
     bool toldOverlay_ = false;

@@ -20,6 +20,7 @@ void add(FrameReport& sum, const FrameReport& part) {
     sum.rowsFilled += part.rowsFilled;
     sum.lightWork += part.lightWork;
     sum.lateLight += part.lateLight;
+    sum.unlit += part.unlit;
 }
 
 }  // namespace

@@ -95,20 +95,22 @@ const LitMap::Record* LitMap::findRecord(const LitFaceAt& face) {
     if (!scene_.findArea(face, area)) return nullptr;
     Record& record = recordOf(face.key());
     if (record.made != 0 && !isStale(record.touched, record.made)) return &record;
-    const bool isMade = worksOut([&] { makeRecord(face, area, record); });
-    if (!isMade && record.made == 0) keep(LightSamples::ofAmbient(scene_), record);
+    const bool isKnown = record.made != 0;
+    const bool isMade = worksOut(isKnown, [&] { makeRecord(face, area, record); });
+    if (!isMade && !isKnown) keep(LightSamples::ofAmbient(scene_), record);
     return &record;
 }
 
-// Works something out, if the picture's allowance is not used up.
+// Works something out, if the picture's allowance is not used up. `isKnown`: as it was before.
 template <typename Make>
-bool LitMap::worksOut(Make&& make) {
+bool LitMap::worksOut(bool isKnown, Make&& make) {
     if (allowance_ == nullptr) {
         make();
         return true;
     }
     if (allowance_->left <= 0) {
         ++allowance_->late;
+        if (!isKnown) ++allowance_->unlit;
         isLate_ = true;
         return false;
     }
@@ -192,7 +194,7 @@ const LightColour& LitMap::ofObject(int index) {
     if (lit.made != 0 && lit.x == object.x && lit.y == object.y && lit.z == object.z &&
         !isStale(lit.touched, lit.made))
         return lit.light;
-    const bool isMade = worksOut([&] {
+    const bool isMade = worksOut(lit.made != 0, [&] {
         scene_.clearTouched();
         lit.light = LightSamples::ofObject(scene_, object);
         lit.touched = scene_.touched();

@@ -19,7 +19,8 @@ namespace slicecast {
 // What a picture may still work out of light.
 struct LightAllowance {
     LightWork left = kAllLight;
-    std::int64_t late = 0;  // see FrameReport::lateLight
+    std::int64_t late = 0;   // see FrameReport::lateLight
+    std::int64_t unlit = 0;  // see FrameReport::unlit
 };
 
 // Of the maps that have baked light, so many are kept with all that speeds it up.
@@ -108,7 +109,7 @@ private:
     }
     bool isStale(std::uint64_t touched, std::uint32_t made) const;
     template <typename Make>
-    bool worksOut(Make&& make);
+    bool worksOut(bool isKnown, Make&& make);
     const FaceNodes* findNodes(const LitFaceAt& face);
     const Record* findRecord(const LitFaceAt& face);
     Record& recordOf(std::uint64_t key);
@@ -149,7 +150,7 @@ public:
 
     // Of this frame; see FrameReport.
     LightWork work() const { return allowed_ - allowance_.left; }
-    std::int64_t late() const { return allowance_.late; }
+    const LightAllowance& allowance() const { return allowance_; }
 
     // Null if the map has no baked light.
     LitMap* of(int map) {

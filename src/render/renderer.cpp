@@ -69,7 +69,8 @@ struct Renderer::Strips {
                           scratch.strip.column(c));
         scratch.strip.copyTo(picture, x, columns);
         scratch.report.lightWork = frame.lit.work();
-        scratch.report.lateLight = frame.lit.late();
+        scratch.report.lateLight = frame.lit.allowance().late;
+        scratch.report.unlit = frame.lit.allowance().unlit;
         return columns;
     }
 
@@ -99,7 +100,7 @@ int Renderer::drawSome(const World& world, const Eye& eye, const RenderOptions& 
     for (const int end = std::min(x + kColumns, picture.width); x < end;) {
         const FrameReport before = scratch_->report;
         const int columns = strips.draw(x);
-        if (strips.frame.lit.late() > 0) {
+        if (strips.frame.lit.allowance().late > 0) {
             scratch_->report = before;
             return x;
         }

@@ -176,8 +176,10 @@ struct FrameReport {
     // Rows of slices: each once, and again for each layer over it.
     std::int64_t rowsFilled = 0;
     LightWork lightWork = 0;  // done for baked light
-    // How often light was asked for that RenderOptions::lightWork left no room for.
+    // How often light was asked for that RenderOptions::lightWork left no room for; and how often
+    // there was none from before either.
     std::int64_t lateLight = 0;
+    std::int64_t unlit = 0;
 };
 
 // The column of a picture to trace.
