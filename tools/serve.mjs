@@ -8,7 +8,8 @@
 //
 //     /...                   the page
 //     /-/scene/NAME.json     the scene, read again for each request
-//     /-/scene/...           pictures in the scene's folder; ../x in the scene is at /-/x
+//     /-/scene/...           pictures in the scene's folder; ../x in the scene is at /-/x. Links
+//                            are followed where they lead to a picture that could be served itself
 //     /-/events              an event stream: `scene` when the scene or a picture of it was saved
 
 import { spawn } from 'node:child_process';
@@ -60,9 +61,10 @@ class WatchedScene {
       : path.join(this.folder, '..', urlPath);
     if (file === this.file) return file;
     if (!/\.png$/i.test(file)) return null;
-    if ((await this.namedPictures()).includes(file)) return file;
     // Pictures that the scene does not name are served only from the scene's own folder.
-    return realPathWithin(this.folder, file);
+    const isNamed = (await this.namedPictures()).includes(file);
+    const real = await realPathWithin(isNamed ? path.dirname(this.folder) : this.folder, file);
+    return /\.png$/i.test(real ?? '') ? real : null;
   }
 
   async start() {
@@ -98,7 +100,8 @@ class WatchedScene {
 
   settle() {
     clearTimeout(this.timer);
-    this.timer = setTimeout(() => this.look(), kSettleMilliseconds);
+    // What cannot be read now is looked at again after the next change.
+    this.timer = setTimeout(() => this.look().catch(() => {}), kSettleMilliseconds);
   }
 
   async look() {
@@ -132,7 +135,9 @@ class WatchedScene {
 async function realPathWithin(folder, file) {
   const real = await realpath(file).catch(() => null);
   const root = await realpath(folder);
-  return real !== null && real.startsWith(root + path.sep) ? real : null;
+  const isWithin =
+    real !== null && real.startsWith(root.endsWith(path.sep) ? root : root + path.sep);
+  return isWithin ? real : null;
 }
 
 // The page's file for an address, links followed; null if there is none.
@@ -218,12 +223,7 @@ export async function startServer({ folder, scene: sceneFile, port, hosts = [] }
       response.setHeader('Access-Control-Allow-Origin', '*'); // for sandboxed frames
     },
   });
-  const server = createServer((request, response) => {
-    // Closes the file if the client disconnects, and ends the answer if the file cannot be read.
-    response.on('pipe', (file) => {
-      file.on('error', () => response.destroy());
-      response.on('close', () => file.destroy());
-    });
+  async function answer(request, response) {
     if (!known.includes(hostName(request.headers.host)))
       return refuse(
         response,
@@ -248,19 +248,26 @@ export async function startServer({ folder, scene: sceneFile, port, hosts = [] }
     if (urlPath.startsWith('/-/')) {
       if (scene === null) return refuse(response, 404, 'No scene was given to tools/play.');
       if (urlPath === '/-/events') return serveEvents(scene, request, response);
-      return serveSceneFile(scene, urlPath.slice(3), response).catch(() =>
-        refuse(response, 500, 'The scene cannot be read.'),
-      );
+      return serveSceneFile(scene, urlPath.slice(3), response);
     }
-    return pagePath(folder, urlPath).then(
-      (name) => {
-        const missing = () => refuse(response, 404, 'There is no such file.');
-        if (name === null) return missing();
-        request.url = `/${encodeURI(name)}`;
-        return page(request, response, missing);
-      },
-      () => refuse(response, 500, 'The page cannot be read.'),
-    );
+    const missing = () => refuse(response, 404, 'There is no such file.');
+    const name = await pagePath(folder, urlPath);
+    if (name === null) return missing();
+    request.url = `/${name.split('/').map(encodeURIComponent).join('/')}`;
+    // Every file is sent whole: sirv misreads ranges such as bytes=-5, and fails at bytes=9-1.
+    delete request.headers.range;
+    return page(request, response, missing);
+  }
+  const server = createServer((request, response) => {
+    // Closes the file if the client disconnects, and ends the answer if the file cannot be read.
+    response.on('pipe', (file) => {
+      file.on('error', () => response.destroy());
+      response.on('close', () => file.destroy());
+    });
+    answer(request, response).catch(() => {
+      if (response.headersSent) response.destroy();
+      else refuse(response, 500, 'The file cannot be read.');
+    });
   });
 
   let at = port ?? kFirstPort;

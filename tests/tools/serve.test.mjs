@@ -23,7 +23,7 @@ before(async () => {
   await writeFile(path.join(root, 'page/engine/x.wasm'), 'wasm');
   await writeFile(
     path.join(root, 'mine/scenes/my scene.json'),
-    '{ "wall": "brick.png", "roof": "../textures/named.png" }',
+    '{ "wall": "brick.png", "roof": "../textures/named.png", "door": ["away.png", "text.png", "near.png", "../textures/away.png"] }',
   );
   await writeFile(path.join(root, 'mine/scenes/brick.png'), 'brick');
   await writeFile(path.join(root, 'mine/scenes/private.txt'), 'secret');
@@ -33,6 +33,11 @@ before(async () => {
     path.join(root, 'mine/textures/other.png'),
     path.join(root, 'mine/scenes/link.png'),
   );
+  await writeFile(path.join(root, 'away.png'), 'secret');
+  await symlink('../../away.png', path.join(root, 'mine/scenes/away.png'));
+  await symlink('../../away.png', path.join(root, 'mine/textures/away.png'));
+  await symlink('private.txt', path.join(root, 'mine/scenes/text.png'));
+  await symlink('../textures/named.png', path.join(root, 'mine/scenes/near.png'));
   await symlink('engine/x.wasm', path.join(root, 'page/inside.wasm'));
   await symlink('../mine/scenes/private.txt', path.join(root, 'page/outside.txt'));
   await symlink('../mine/scenes', path.join(root, 'page/outside'));
@@ -101,6 +106,26 @@ test('nothing else beside or above the scene is served', async () => {
     assert.doesNotMatch(answer.body, /secret|root:/, hidden);
   }
   assert.equal((await get('/-/scene/%ff')).status, 400);
+});
+
+test('a link that the scene names is followed only to a picture beside the scene', async () => {
+  assert.equal((await get('/-/scene/near.png')).body, 'named');
+  for (const hidden of ['/-/scene/away.png', '/-/textures/away.png', '/-/scene/text.png']) {
+    const answer = await get(hidden);
+    assert.equal(answer.status, 404, hidden);
+    assert.doesNotMatch(answer.body, /secret/, hidden);
+  }
+});
+
+// Whoever asks for a part of a file may get all of it.
+test('whatever range is asked for, the whole file comes', async () => {
+  for (const rawPath of ['/engine/x.wasm', '/-/scene/near.png']) {
+    const whole = (await get(rawPath)).body;
+    for (const range of ['9-1', '-5', '0-0', '-', '1-', '99-', '0-1,2-3', 'a-b', '-0']) {
+      const answer = await get(rawPath, { headers: { range: `bytes=${range}` } });
+      assert.deepEqual([answer.status, answer.body], [200, whole], `${rawPath} ${range}`);
+    }
+  }
 });
 
 test('links are followed within the folder, and not out of it', async () => {
