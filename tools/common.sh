@@ -1,7 +1,10 @@
 # Shell functions shared by the commands in this folder. To be sourced by bash.
 
 repo="$(cd "$(dirname "${BASH_SOURCE[0]}")/.." && pwd)"
-cacheHome="${XDG_CACHE_HOME:-${HOME:-/var/tmp}/.cache}/slicecast"
+# What all clones on the machine share: pictures, and sources that are compiled. So nobody else may
+# write there; without a home folder each clone has its own.
+cacheHome="${XDG_CACHE_HOME:-${HOME:+$HOME/.cache}}"
+cacheHome="${cacheHome:-$repo/build/cache}/slicecast"
 
 # All clones on the machine share ccache's cache, so paths are relative to the clone's root.
 export CCACHE_BASEDIR="$repo" CCACHE_NOHASHDIR=1

@@ -34,6 +34,17 @@ for (const [args, message] of [
   });
 }
 
+test('without a home folder, what is kept lies in the project, where nobody else writes', () => {
+  const cacheOf = (more) =>
+    spawnSync('bash', ['-c', 'source "$0/common.sh"; echo "$cacheHome"', tools], {
+      encoding: 'utf8',
+      env: { PATH: process.env.PATH, ...more },
+    }).stdout.trim();
+  assert.equal(cacheOf({}), path.join(tools, '../build/cache/slicecast'));
+  assert.equal(cacheOf({ HOME: '/home/one' }), '/home/one/.cache/slicecast');
+  assert.equal(cacheOf({ HOME: '', XDG_CACHE_HOME: '/x' }), '/x/slicecast');
+});
+
 test('--help lists arguments and options', () => {
   assert.match(run('play', ['--help']).stdout, /SCENE\.json.*--port/s);
   assert.match(run('setup', ['--help']).stdout, /native.*browser/s);
