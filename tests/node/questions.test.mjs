@@ -90,6 +90,11 @@ test('invalid columns are refused', async () => {
         message: /^(hits|trace): found columns from .*, expected a column, a list of columns, or /,
       });
   }
+  for (const ask of ['hits', 'trace'])
+    assert.throws(() => scene[ask](new Array(8193).fill(0), kSize), {
+      name: 'RangeError',
+      message: /: found 8193 columns, expected .* with at most 8192 columns\.$/,
+    });
   scene.free();
 });
 
@@ -204,7 +209,7 @@ test('the cells of every shipped scene are those of its text', async () => {
         const highest = Math.max(...[text.blueprints[name].top ?? 1].flat());
         assert.ok(Math.abs(top - highest) < 1e-4, name);
         for (const { texture, colour } of Object.values(faces)) {
-          if (texture !== null) assert.ok(texture in text.textures);
+          if (texture !== null) assert.ok(Object.hasOwn(text.textures, texture));
           else assert.ok(text.blueprints[name].water && colour === null, name);
         }
       }

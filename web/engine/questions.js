@@ -108,7 +108,7 @@ export class Questions {
   cells(map, level) {
     const levels = this.#json('cells', this.#mapIndex('cells', map));
     if (level === undefined) return levels;
-    if (!(level in levels) || !Number.isInteger(level))
+    if (!Number.isInteger(level) || levels[level] === undefined)
       throw misread('cells', `level ${level}`, `a whole number from 0 to ${levels.length - 1}`);
     return levels[level];
   }
@@ -186,15 +186,19 @@ export class Questions {
 // The columns as a list; one column is a list of one.
 function columnList(method, columns) {
   if (typeof columns !== 'object' || columns === null) return [columns];
-  if (Array.isArray(columns)) return columns;
-  const { first, last } = columns;
-  if (![first, last].every(Number.isInteger) || last < first || last - first >= kMostColumns)
+  const isList = Array.isArray(columns);
+  const { first, last } = isList ? { first: 1, last: columns.length } : columns;
+  if (
+    ![first, last].every(Number.isInteger) ||
+    last - first >= kMostColumns ||
+    (!isList && last < first)
+  )
     throw misread(
       method,
-      `columns from ${first} to ${last}`,
-      'a column, a list of columns, or { first, last } with whole numbers, both included',
+      isList ? `${last} columns` : `columns from ${first} to ${last}`,
+      `a column, a list of columns, or { first, last } with whole numbers, both included, with at most ${kMostColumns} columns`,
     );
-  return Array.from({ length: last - first + 1 }, (_, index) => first + index);
+  return isList ? columns : Array.from({ length: last - first + 1 }, (_, index) => first + index);
 }
 
 function misread(method, found, expected) {
