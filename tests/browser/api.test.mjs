@@ -261,7 +261,7 @@ test('each event is sent with the details of its type, and does not bubble', asy
     walker.keys = 'arrows';
     const broken = add('broken');
     await broken.whenReady().catch(() => {});
-    for (let wait = 0; events.some((name) => !(name in found)) && wait < 40; ++wait)
+    for (let wait = 0; events.some((name) => !Object.hasOwn(found, name)) && wait < 40; ++wait)
       await new Promise((resolve) => setTimeout(resolve, 50));
     walker.remove();
     broken.remove();
@@ -269,7 +269,7 @@ test('each event is sent with the details of its type, and does not bubble', asy
   }, names(table.events));
   for (const { name, detail } of table.events) {
     const { fields } = table.types.find((shape) => shape.name === detail);
-    assert.ok(name in heard, `${name} never came`);
+    assert.ok(Object.hasOwn(heard, name), `${name} never came`);
     assert.deepEqual(
       { ...heard[name], detail: sorted(Object.keys(heard[name].detail)) },
       { isCustom: true, bubbles: false, composed: false, detail: sorted(names(fields)) },

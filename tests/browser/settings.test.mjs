@@ -285,6 +285,7 @@ test('nonsense in the storage is ignored', async (t) => {
     '{"fov": 4000, "size": "9x9", "light": "maybe", "mouse": null, "other": 1}',
     'no JSON',
     '"text"',
+    '{"__proto__": {}, "constructor": {}, "toString": "x"}',
   ]) {
     const { page } = await openScene(t, browser, {
       prepare: (newPage) =>

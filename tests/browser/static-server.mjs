@@ -45,7 +45,8 @@ export async function serve({
     if (!address.startsWith(prefix)) return response.writeHead(404).end();
     const name = address.slice(prefix.length) || 'index.html';
     asked.push(name);
-    if (name in redirects) return response.writeHead(302, { Location: redirects[name] }).end();
+    if (Object.hasOwn(redirects, name))
+      return response.writeHead(302, { Location: redirects[name] }).end();
     const content = await contentOf(folder, name, files);
     if (content === null)
       return response
@@ -82,7 +83,7 @@ async function sendInPieces(response, content, mayGo) {
 }
 
 async function contentOf(folder, name, files) {
-  if (!(name in files))
+  if (!Object.hasOwn(files, name))
     return readFile(path.join(folder, path.normalize(`/${name}`))).catch(() => null);
   const content = typeof files[name] === 'function' ? files[name]() : files[name];
   return content === null ? null : Buffer.from(content);

@@ -23,6 +23,14 @@ export default [
         'error',
         { args: 'after-used', caughtErrors: 'none', varsIgnorePattern: '^_$' },
       ],
+      'no-restricted-syntax': [
+        'error',
+        {
+          selector: "BinaryExpression[operator='in'][left.type!='Literal']",
+          message:
+            'A key from elsewhere may be `constructor`: use Object.hasOwn, a Map or, for what an object inherits too, Reflect.has.',
+        },
+      ],
       'no-var': 'error',
       'object-shorthand': 'error',
       'prefer-const': ['error', { destructuring: 'all' }],

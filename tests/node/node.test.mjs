@@ -209,6 +209,10 @@ test('options, the eye and what it sees', async () => {
   assert.throws(() => scene.set('fov\0', 70), { code: 'option' });
   assert.throws(() => scene.set('light', 'on\0'), { code: 'option' });
   assert.throws(() => scene.step(1, null), /^Error: step: found "null", expected forward/);
+  assert.throws(
+    () => scene.step(1, { constructor: true }),
+    /found "constructor", expected forward/,
+  );
   scene.free();
 });
 

@@ -380,7 +380,7 @@ const answers = { '/slow': 'slow', '/page': '<!DOCTYPE html><title>Welcome</titl
 before(async () => {
   server = createServer((request, response) => {
     asked.push(request.url);
-    if (!(request.url in answers)) return response.writeHead(404).end();
+    if (!Object.hasOwn(answers, request.url)) return response.writeHead(404).end();
     return setTimeout(() => response.end(answers[request.url]), 20);
   });
   await new Promise((resolve) => server.listen(0, '127.0.0.1', resolve));

@@ -57,6 +57,7 @@ const row = fc.oneof(
 const starts = fc.constantFrom('>', 'v', '<', '^');
 const meaning = fc.oneof(
   fc.constantFrom('#c03020', '#fff', 'brick', 'sandstone 0.5', 'sand floor', 'wall.png 0.25'),
+  fc.constantFrom('constructor', '__proto__', 'toString floor'),
   fc.constantFrom('brick 7', 'floor', '0.5', '#12345', 'sand floor 0.1', '../up.png', '=', 'NaN'),
   anyText,
 );
@@ -253,7 +254,10 @@ test('look() takes any value or refuses it', () => {
 });
 
 const word = fc.stringMatching(/^[A-Za-z][A-Za-z0-9.-]{0,8}$/);
-const value = word.filter((text) => text !== 'true' && text !== 'false');
+const inherited = fc.constantFrom('constructor', 'toString', '__proto__');
+const value = fc
+  .oneof({ weight: 9, arbitrary: word }, inherited)
+  .filter((text) => text !== 'true' && text !== 'false');
 
 test('options written and read again are the same', () => {
   holds(

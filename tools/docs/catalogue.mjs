@@ -50,7 +50,8 @@ export class Catalogue {
 
   // The HTML of a list of pictures.
   list({ joined }, text) {
-    if (joined !== undefined && !(joined in kCopies)) fail(`joined=${joined}`, 'both or sideways');
+    if (joined !== undefined && !Object.hasOwn(kCopies, joined))
+      fail(`joined=${joined}`, 'both or sideways');
     const lines = text.trim().split('\n');
     return cards(lines.map((line) => this.#card(line.trim().split(/\s+/), joined)));
   }

@@ -121,9 +121,9 @@ function laidOver(under, over, key) {
   return Object.fromEntries(
     [...names].map((name) => [
       name,
-      !(name in over)
+      !Object.hasOwn(over, name)
         ? under[name]
-        : name in under
+        : Object.hasOwn(under, name)
           ? laidOver(under[name], over[name], name)
           : over[name],
     ]),

@@ -34,7 +34,9 @@ export function keyExamples(schema, scenes, others) {
       return;
     }
     for (const [name, each] of Object.entries(value)) {
-      const property = keyed.find(({ properties }) => name in properties)?.properties[name];
+      const property = keyed.find(({ properties }) => Object.hasOwn(properties, name))?.properties[
+        name
+      ];
       if (property === undefined) continue;
       note(`${id}.${name}`, each, property.default ?? follow(property, name)[0].default);
       visit(property, name, each);

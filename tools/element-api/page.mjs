@@ -134,7 +134,7 @@ export function documentation({ errorCodes, version, options, scenes }) {
       ) + table.node.types.map(shape).join('\n'),
   };
   return template.replace(/\{\{(\w+)\}\}/g, (_, name) => {
-    if (!(name in gaps))
+    if (!Object.hasOwn(gaps, name))
       throw new Error(`tools/element-api/page.html names a gap that nothing fills: ${name}`);
     return gaps[name];
   });

@@ -137,7 +137,7 @@ function readControls(text, warn) {
 // Warns of unknown attributes that are similar to a known one.
 function warnOfMisspelt(element, warn) {
   for (const name of element.getAttributeNames()) {
-    if (kAttributes.includes(name) || name in element || /[^a-z]/.test(name)) continue;
+    if (kAttributes.includes(name) || Reflect.has(element, name) || /[^a-z]/.test(name)) continue;
     if (nearestName(name, kAttributes) !== null)
       warn(name, unknown('attribute', name, kAttributes));
   }

@@ -109,7 +109,7 @@ function shortest(coordinate) {
 export function parseOptions(text) {
   return wordsOf(text.replace(/\s*[=:]\s*/g, '=')).map((part) => {
     const [, name, value] = /^([^=]+)=?(.*)$/.exec(part) ?? [null, part, ''];
-    return [name, kSwitches[value] ?? value];
+    return [name, Object.hasOwn(kSwitches, value) ? kSwitches[value] : value];
   });
 }
 

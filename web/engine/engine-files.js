@@ -34,12 +34,9 @@ export async function fetchEngine({ kind = 'auto', onBytes = () => {} } = {}) {
   }
   const chosen = chooseBuild(kind);
   const address = reachable(kBuilds[chosen], `engine/slicecast-${chosen}.wasm`, kHome);
-  const later =
-    chosen in kLater
-      ? new LaterPart(
-          reachable(kLater[chosen], `engine/slicecast-${chosen}-later.wasm`, kHome).href,
-        )
-      : null;
+  const later = Object.hasOwn(kLater, chosen)
+    ? new LaterPart(reachable(kLater[chosen], `engine/slicecast-${chosen}-later.wasm`, kHome).href)
+    : null;
   const [program] = await Promise.all([
     compileProgram(address.href, onBytes),
     canCompileNow() ? null : later?.load(),

@@ -528,7 +528,7 @@ function imageOf(pixels, width, height) {
 // Returns the five axes and the buttons as one bit mask.
 function readInput(input) {
   for (const name of Object.keys(input ?? { [input]: 0 })) {
-    if (!kAxes.includes(name) && !(name in kButtons))
+    if (!kAxes.includes(name) && !Object.hasOwn(kButtons, name))
       throw new Error(
         `step: found "${name}", expected ${[...kAxes, ...Object.keys(kButtons)].join(', ')}.`,
       );

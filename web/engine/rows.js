@@ -161,7 +161,7 @@ export function sceneOfRows(
     letters.map((letter) => [blueprintName(letter, own), blueprintOf(letter, own)]),
   );
   const objects = tiles
-    .filter(({ character }) => character in kObjects && !own.blocks.has(character))
+    .filter(({ character }) => Object.hasOwn(kObjects, character) && !own.blocks.has(character))
     .map(({ character, x, y, z }) => ({
       ...kObjects[character],
       x: x + 0.5,
@@ -186,7 +186,9 @@ export function sceneOfRows(
         light: hasColours ? { on: false } : { multiplier: 8, darkest: 0.75 },
         fog: { start: 30, end: 1500 },
         haze,
-        ...Object.fromEntries(kOfMap.filter((key) => key in rest).map((key) => [key, rest[key]])),
+        ...Object.fromEntries(
+          kOfMap.filter((key) => Object.hasOwn(rest, key)).map((key) => [key, rest[key]]),
+        ),
       },
     ],
     start: {
@@ -228,11 +230,12 @@ function readLegend(legend) {
   for (const [key, meaning] of Object.entries(legend)) {
     const character = key === 'blank' ? ' ' : key;
     const [texture, ...more] = typeof meaning === 'string' ? meaning.trim().split(/\s+/) : [null];
-    const isFloor = more.includes('floor') || (character in kFloors && more.length === 0);
+    const isFloor =
+      more.includes('floor') || (Object.hasOwn(kFloors, character) && more.length === 0);
     const [height = null] = more.filter((word) => word !== 'floor').map(Number);
     const isSound =
       more.length <= 1 &&
-      !(character in kHeadings) &&
+      !Object.hasOwn(kHeadings, character) &&
       (texture === null
         ? typeof meaning === 'object' && meaning !== null
         : (kColour.test(texture) || /^[\w-]+$|\.png$/i.test(texture)) &&
@@ -255,7 +258,7 @@ function readLegend(legend) {
 }
 
 function isStart(character, own) {
-  return character in kHeadings && !own.blocks.has(character);
+  return Object.hasOwn(kHeadings, character) && !own.blocks.has(character);
 }
 
 // "#c32" is "#cc3322".
@@ -304,26 +307,32 @@ function faultAt(name, tile, found, expected) {
 
 function levelsOf(levels, own) {
   const isWall = (character) =>
-    character in kWalls || character in kLowOfHigh || own.blocks.has(character);
+    Object.hasOwn(kWalls, character) ||
+    Object.hasOwn(kLowOfHigh, character) ||
+    own.blocks.has(character);
   const letterAt = (rows, row, y, x) => {
     const character = row[x];
     if (own.blocks.has(character)) return character;
     if (character === kDoor)
       return isWall(rows[y][x - 1]) || isWall(rows[y][x + 1]) ? kDoor : kDoorAcross;
     const letter = kLowOfHigh[character] ?? character;
-    return letter in kWalls || kSteps.includes(letter) || letter === kBridge ? letter : '.';
+    return Object.hasOwn(kWalls, letter) || kSteps.includes(letter) || letter === kBridge
+      ? letter
+      : '.';
   };
   const letters = levels.map((rows) =>
     rows.map((row, y) => row.map((_, x) => letterAt(rows, row, y, x))),
   );
   const depth = levels[0].length;
-  const raised = levels.map((rows) => rows.some((row) => row.some((one) => one in kLowOfHigh)));
+  const raised = levels.map((rows) =>
+    rows.some((row) => row.some((one) => Object.hasOwn(kLowOfHigh, one))),
+  );
   if (raised.at(-1)) letters.push(Array.from({ length: depth }, () => levels[0][0].map(() => '.')));
   // High walls continue on the level above if that cell is empty.
   levels.forEach((rows, z) =>
     rows.forEach((row, y) =>
       row.forEach((character, x) => {
-        if (character in kLowOfHigh && letters[z + 1][y][x] === '.')
+        if (Object.hasOwn(kLowOfHigh, character) && letters[z + 1][y][x] === '.')
           letters[z + 1][y][x] = letters[z][y][x];
       }),
     ),
@@ -343,7 +352,7 @@ function blueprintName(letter, own) {
   if (letter === kBridge) return 'bridge';
   if (letter === kDoor) return 'door';
   if (letter === kDoorAcross) return 'side door';
-  if (letter in kWalls) return kWalls[letter].name;
+  if (Object.hasOwn(kWalls, letter)) return kWalls[letter].name;
   return kSteps.includes(letter) && !own.blocks.has(letter) ? `step ${letter}` : `block ${letter}`;
 }
 
@@ -389,7 +398,7 @@ function faces(sides, top) {
 
 // Below blocks and objects the floor is that of the tile to the west or east.
 function floorOf(rows, own) {
-  const isFloor = (character) => character in own.floors;
+  const isFloor = (character) => Object.hasOwn(own.floors, character);
   const tiles = rows.map((row) =>
     row
       .map((character, x) => {
@@ -416,17 +425,20 @@ function surroundingsOf(sky, hasColours) {
   return { sky: { panorama: /\.png$/i.test(sky) ? sky : `../textures/${sky}.png` }, haze };
 }
 
+// A texture may be called `constructor`.
+const entry = (table, name) => (Object.hasOwn(table, name) ? table[name] : undefined);
+
 function texturesOf(blueprints, floor, own = {}, hasColours) {
   const ofBlocks = Object.values(blueprints).flatMap(({ faces: all = [] }) =>
     (typeof all === 'string' ? [all] : Object.values(all)).map((face) => face?.texture ?? face),
   );
   const names = [floor.texture, ...Object.values(floor.legend), ...ofBlocks];
   const fileOf = (name) =>
-    own[name] ??
+    entry(own, name) ??
     (kColour.test(name) || /\.png$/i.test(name)
       ? fullColour(name)
-      : ((hasColours ? kColours[name] : undefined) ??
-        kElsewhere[name] ??
+      : ((hasColours ? entry(kColours, name) : undefined) ??
+        entry(kElsewhere, name) ??
         `../textures/${name}.png`));
   return {
     ...own,

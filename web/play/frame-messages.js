@@ -86,6 +86,7 @@ function answer(caster, { call, get, set, value, arguments: inputs = [] }, conve
     );
   if (value !== null && !['string', 'boolean'].includes(typeof value))
     throw new Error(`Expected a text, true, false or null for ${set}.`);
-  caster[set] = typeof value === 'string' && set in converters ? converters[set](value) : value;
+  caster[set] =
+    typeof value === 'string' && Object.hasOwn(converters, set) ? converters[set](value) : value;
   return null;
 }

@@ -140,7 +140,7 @@ function playByClick(caster) {
 }
 
 function toggleFullScreen() {
-  if (document.fullscreenElement !== null) document.exitFullscreen();
+  if (document.fullscreenElement !== null) document.exitFullscreen().catch(() => {});
   else document.documentElement.requestFullscreen?.().catch(() => {});
 }
 

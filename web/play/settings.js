@@ -43,7 +43,8 @@ export class Settings {
     this.#values = { ...kStandard, ...this.#readStorage() };
     for (const name of Object.keys(kStandard)) this.#show(name);
     form.addEventListener('input', (event) => {
-      if (event.target.name in kStandard) this.set(event.target.name, this.#read(event.target));
+      if (Object.hasOwn(kStandard, event.target.name))
+        this.set(event.target.name, this.#read(event.target));
     });
   }
 
@@ -53,7 +54,7 @@ export class Settings {
     for (const { name, kind, least, greatest } of options) {
       const value = this.#values[name];
       if (kind === 'number' && (value < least || value > greatest)) this.set(name, kStandard[name]);
-      if (name in kStandard) this.#show(name);
+      if (Object.hasOwn(kStandard, name)) this.#show(name);
     }
   }
 
@@ -116,7 +117,7 @@ export class Settings {
     const value = this.value(name);
     if (field.type === 'checkbox') field.checked = value;
     else field.value = String(value);
-    if (name in kShown)
+    if (Object.hasOwn(kShown, name))
       this.form.querySelector(`output[for="${field.id}"]`).textContent = kShown[name](value);
   }
 
@@ -130,8 +131,9 @@ export class Settings {
     }
     return Object.fromEntries(
       Object.entries(stored).filter(([name, value]) => {
+        if (!Object.hasOwn(kStandard, name) || typeof value !== typeof kStandard[name])
+          return false;
         const field = this.form.elements[name];
-        if (!(name in kStandard) || typeof value !== typeof kStandard[name]) return false;
         if (field.type === 'range' && !kOfPage.includes(name)) return Number.isFinite(value);
         if (field.type === 'range') return value >= Number(field.min) && value <= Number(field.max);
         return (

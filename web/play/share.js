@@ -32,7 +32,7 @@ export class ShareDialog {
     this.find('addresses').hidden = reference === null;
     this.find('no-address').hidden = reference !== null;
     if (reference !== null) this.#write();
-    this.#preview();
+    this.#preview().catch(() => {}); // the dialog does without
     this.dialog.showModal();
   }
 

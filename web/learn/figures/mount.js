@@ -298,7 +298,7 @@ class LiveFigure {
       // What the figure itself sets stays below the picture's own options.
       if (!same(options, before?.options) || before?.state !== this.#state) {
         for (const name of Object.keys(before?.options ?? {}))
-          if (!(name in (options ?? {}))) picture.source.set(name, this.#source.get(name));
+          if (!Object.hasOwn(options ?? {}, name)) picture.source.set(name, this.#source.get(name));
         setOptions(picture.source, options ?? {}, null);
       }
       picture.applied = { state: this.#state, options };

@@ -158,7 +158,7 @@ export function apply(figure, source, state, before) {
 
 export function setOptions(source, options, before) {
   for (const name of Object.keys(before ?? {}))
-    if (!(name in options)) source.set(name, source.standard(name));
+    if (!Object.hasOwn(options, name)) source.set(name, source.standard(name));
   for (const [name, value] of Object.entries(options))
     if (value !== before?.[name]) source.set(name, value);
 }

@@ -180,7 +180,7 @@ function unmatched(text) {
   const open = [];
   const kPairs = { '}': '{', ')': '(', ']': '[' };
   for (const { 0: bracket, index } of code.matchAll(/[{}()[\]]/g)) {
-    if (!(bracket in kPairs)) {
+    if (!Object.hasOwn(kPairs, bracket)) {
       open.push({ bracket, index });
     } else if (open.at(-1)?.bracket === kPairs[bracket]) {
       open.pop();

@@ -484,7 +484,7 @@ function mapHandles(now, names, look, it) {
       keys: (right, down) => ({ eye: { heading: state.eye.heading + (right || down) } }),
     }),
   };
-  return names.filter((name) => name in all).map((name) => all[name]());
+  return names.filter((name) => Object.hasOwn(all, name)).map((name) => all[name]());
 }
 
 // The column that looks at a point, or null behind the eye.

@@ -132,7 +132,7 @@ function pictureHandles(names, now, width, height) {
       }),
     }),
   };
-  return names.filter((name) => name in all).map((name) => all[name]());
+  return names.filter((name) => Object.hasOwn(all, name)).map((name) => all[name]());
 }
 
 // A panel's width for a picture: whole screen pixels for each of its own if that fills the panel

@@ -423,5 +423,5 @@ function sideHandles(now, names, it) {
       }),
     }),
   };
-  return names.filter((name) => name in all).map((name) => all[name]());
+  return names.filter((name) => Object.hasOwn(all, name)).map((name) => all[name]());
 }
