@@ -354,7 +354,11 @@ test('A shared program is shown, and runs only after a click', async (t) => {
   assert.equal(await guest.evaluate(() => events.length), 0);
   await afterRun(guest, () => press(guest, 'Run it'));
   assert.deepEqual(await pictureColours(guest), [200, 200, 200, 255]);
+  // It had been changed, so it is the visitor's own now.
   assert.equal(new URL(guest.url()).hash, '');
+  await guest.reload();
+  await readyPanel(guest);
+  assert.match(await programText(guest), /fill\(200\)/);
 
   // It does not take the place of one's own work.
   const code = await page.evaluate((other) => window.codeOf(other), kDraw('// other'));
@@ -367,7 +371,25 @@ test('A shared program is shown, and runs only after a click', async (t) => {
   await other.goto('about:blank');
   await other.goto(address.replace(/#.*/, `#program=${code}`));
   await readyPanel(other);
+  // It has run, and what is kept is still one's own; a change makes it one's own.
   await afterRun(other, () => press(other, 'Run it'));
+  assert.match(await text(other, '.write-note'), /not kept unless you change it/);
+  await other.reload();
+  await readyPanel(other);
+  assert.match(await text(other, '.write-note'), /only when you press Run/);
+  await afterRun(other, () => press(other, 'Run it'));
+  await press(other, 'Back to my program');
+  assert.equal(await programText(other), shared);
+  // Undoing in the editor does not lead back to a program that has not been run.
+  await openEditor(other);
+  await other.keyboard.press('Control+z');
+  assert.equal(await programText(other), shared);
+  await other.goto('about:blank');
+  await other.goto(address.replace(/#.*/, `#program=${code}`));
+  await readyPanel(other);
+  await afterRun(other, () => press(other, 'Run it'));
+  await afterRun(other, () => type(other, kDraw('// other, changed')));
+  assert.equal(new URL(other.url()).hash, '');
   await press(other, 'Earlier versions');
   assert.match(await text(other, '.write-earlier'), /Before the link/);
   await afterRun(other, () => press(other, 'Bring back'));
@@ -381,6 +403,36 @@ test('A shared program is shown, and runs only after a click', async (t) => {
   assert.match(await text(own, '.write-note'), /damaged/);
   assert.equal(await programText(own), shared);
   await own.close();
+});
+
+test('A program that comes while the engine loads waits, too', async (t) => {
+  let go;
+  const isTime = new Promise((resolve) => (go = resolve));
+  const { page } = await openPanel(t, 4, {
+    ready: false,
+    server: {
+      files: { ...files, 'favicon.ico': '' },
+      headersOf: policy,
+      mayGo: async (name) => name.endsWith('.wasm') && (await isTime),
+    },
+  });
+  await page.locator('.write-status').waitFor({ state: 'attached' });
+  await page.waitForFunction(() => window.panel !== undefined);
+  await press(page, 'Run');
+  await page.evaluate(async (program) => {
+    location.hash = `#program=${await window.codeOf(program)}`;
+  }, kDraw('picture.pixels.fill(77);'));
+  await page.locator('.write-note:visible').waitFor();
+  go();
+  await page.evaluate(() => window.panel.ready);
+  await page.evaluate(() => window.panel.run());
+  await page.waitForTimeout(500);
+  assert.match(await text(page, '.write-note'), /came with a link/);
+  assert.equal(await page.evaluate(() => Object.keys(localStorage).join()), '');
+  assert.notDeepEqual(await pictureColours(page), [77, 77, 77, 255]);
+  await afterRun(page, () => press(page, 'Run it'));
+  assert.deepEqual(await pictureColours(page), [77, 77, 77, 255]);
+  assert.equal(await page.evaluate(() => Object.keys(localStorage).join()), '');
 });
 
 test('A download runs by itself, offline', async (t) => {
@@ -678,6 +730,66 @@ channel.postMessage(answers);
     return answer;
   }, kFine);
   assert.equal(spoofed, 'fine');
+});
+
+// A program that finds the worker's port could answer in its place.
+const kGrab = `
+const found = [];
+const isPort = (value) => value instanceof MessagePort && found.push(value);
+const look = (value) => {
+  if (value === null || (typeof value !== 'object' && typeof value !== 'function')) return;
+  isPort(value);
+  for (const name of ['target', 'currentTarget', 'srcElement', 'ports'])
+    try { isPort(value[name]); } catch {}
+};
+const wrap = (owner, name) => {
+  const { value, get, ...rest } = Object.getOwnPropertyDescriptor(owner, name);
+  const spy = (act) =>
+    function (...given) {
+      look(this);
+      given.forEach(look);
+      return Reflect.apply(act, this, given);
+    };
+  try {
+    if (typeof value === 'function') Object.defineProperty(owner, name, { ...rest, value: spy(value) });
+    else if (get) Object.defineProperty(owner, name, { ...rest, get: spy(get) });
+  } catch {}
+};
+const { apply } = Reflect;
+for (const owner of [MessagePort, MessageEvent, Event, EventTarget].map((each) => each.prototype))
+  for (const name of Object.getOwnPropertyNames(owner))
+    if (name !== 'constructor') wrap(owner, name);
+for (const name of ['call', 'apply', 'bind']) {
+  const act = Function.prototype[name];
+  Function.prototype[name] = function (...given) {
+    given.forEach(look);
+    return apply(act, this, given);
+  };
+}
+Reflect.apply = (act, self, given) => { look(self); return apply(act, self, given); };
+for (const name of ['id', 'action', 'detail', 'answer', 'picture', 'error', 'transfer'])
+  Object.defineProperty(Object.prototype, name, { configurable: true, set(value) { look(this); look(value); },
+    get() { look(this); return undefined; } });
+Error.prepareStackTrace = (error, sites) => {
+  for (const site of sites) { look(site.getThis()); look(site.getFunction()); }
+  return '';
+};
+const sloppy = URL.createObjectURL(new Blob([\`function callers(see) {
+  for (let f = callers, n = 0; f && n < 20; n++) {
+    try { see(f); for (const each of f.arguments ?? []) see(each); f = f.caller; } catch { break; }
+  }
+}
+self.callers = callers;\`]));
+importScripts(sloppy);
+function draw() { callers(look); new Error('x').stack; }
+function move() {
+  throw new Error('ports: ' + found.length);
+}
+`;
+
+test("A program does not get hold of its worker's port", async (t) => {
+  const { attempt } = await openRunner(t);
+  assert.match(await attempt(kGrab, 100), /ports: 0$/);
 });
 
 test('Loops without end are stopped, wherever they stand', async (t) => {

@@ -29,7 +29,9 @@ async function scriptOf(name, define = {}) {
     nodePaths: [kPackages],
     logLevel: 'warning',
   });
-  return outputFiles[0].text.trim();
+  // As in modules: strict functions do not tell who called them. Without a line of its own, since
+  // frame.js tells the program's lines from those of the script around it.
+  return `'use strict';${outputFiles[0].text.trim()}`;
 }
 
 // Texts inside a script must not end it.

@@ -87,11 +87,9 @@ const theme = EditorView.theme({
 
 export function makeEditor(host, { text, label, describedBy, onChange, onRun }) {
   const root = host.shadowRoot ?? host.attachShadow({ mode: 'open' });
-  const view = new EditorView({
-    root,
-    parent: root,
-    state: EditorState.create({
-      doc: text,
+  const stateOf = (doc) =>
+    EditorState.create({
+      doc,
       extensions: [
         lintGutter(),
         lineNumbers(),
@@ -134,8 +132,8 @@ export function makeEditor(host, { text, label, describedBy, onChange, onRun }) 
         EditorView.updateListener.of((update) => update.docChanged && onChange()),
         theme,
       ],
-    }),
-  });
+    });
+  const view = new EditorView({ root, parent: root, state: stateOf(text) });
 
   const positionOf = (line, column) => {
     const { doc } = view.state;
@@ -157,8 +155,9 @@ export function makeEditor(host, { text, label, describedBy, onChange, onRun }) 
       return true;
     },
 
+    // Another program: undoing does not lead back to the one before.
     replace(newText) {
-      view.dispatch({ changes: { from: 0, to: view.state.doc.length, insert: newText } });
+      view.setState(stateOf(newText));
     },
     undo: () => undo(view),
     redo: () => redo(view),

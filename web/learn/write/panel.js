@@ -1,12 +1,14 @@
 // The panel "Write your own": README.md says how a page mounts it.
 //
-// The reader's text goes through `#put` and `#run`; everything that a run gives, through `#show`.
+// What is shown, what is kept and what runs is decided by the desk (desk.js); everything that a run
+// gives goes through `#show`.
 
 import { expectations } from '../raycaster/checks.js';
 import { difference, taught } from '../raycaster/compare.js';
 import { functionsOf } from '../raycaster/states.js';
 import { carry } from './carry.js';
 import { newLines, paint } from './code.js';
+import { Desk } from './desk.js';
 import { button, carefulButton, make, percent, words } from './make.js';
 import { makeParts } from './parts.js';
 import {
@@ -60,22 +62,20 @@ class Panel {
   #element;
   #settings;
   #shelf;
+  #desk;
   #step; // of steps/NN.json
-  #text = ''; // while there is no editor
   #editor = null;
   #loading = null; // the promise of the editor
   #runner;
   #world = null; // the promise of the scene's data
   #typing = 0; // timers
   #settling = 0;
-  #running = false;
-  #runAgain = false;
+  #links = 0; // that the address has had
   #drawing = false;
   #drawAgain = false;
   #last = null; // the last picture
   #checks = [];
   #hints = new Map(); // function -> hints shown
-  #isGuest = false; // the text came with a link, and has not been run
   #solved = false;
   #parts = {};
 
@@ -83,16 +83,20 @@ class Panel {
     this.#element = element;
     this.#settings = settings;
     this.#shelf = new Shelf(settings.storage);
+    this.#desk = new Desk(this.#shelf, settings.chapter);
     this.#runner = new Runner(element, new URL('run.html', this.#folder).href);
     const ready = this.#begin();
     ready.catch((error) => this.#say(`The panel cannot start: ${error.message}`));
     this.handle = {
       ready,
-      run: () => this.#run(),
+      run: () => {
+        this.#desk.ask();
+        return this.#run();
+      },
       look: (view) => this.#look(view),
       close: () => this.#close(),
     };
-    Object.defineProperty(this.handle, 'text', { get: () => this.#current });
+    Object.defineProperty(this.handle, 'text', { get: () => this.#desk.text });
   }
 
   get #folder() {
@@ -100,9 +104,6 @@ class Panel {
   }
   get #chapter() {
     return this.#settings.chapter;
-  }
-  get #current() {
-    return this.#editor?.text ?? this.#text;
   }
 
   // ---- Start
@@ -113,13 +114,14 @@ class Panel {
     if (!answer.ok) throw new Error(`there is no step ${number} (${answer.status}).`);
     this.#step = await answer.json();
     this.#build();
-    const mayRun = await this.#openText();
+    this.#openText();
     addEventListener('hashchange', this.#onHash);
     addEventListener('pagehide', this.#onLeave);
+    await this.#openLink();
     await this.#parts.caster.whenReady();
     this.#home = this.#parts.caster.currentView;
     this.#passTime(this.#settings.seconds);
-    if (mayRun) await this.#run();
+    await this.#run();
   }
   #home = null;
 
@@ -133,43 +135,35 @@ class Panel {
   }
 
   #onHash = () => this.#openLink();
-  #onLeave = () => {
-    if (!this.#isGuest && this.#isTouched) this.#shelf.save(this.#chapter, this.#current, false);
-  };
-  #isTouched = false; // the text is the reader's own
+  #onLeave = () => this.#desk.leave();
 
-  // The reader's own text, or ours. Returns whether it may run at once.
-  async #openText() {
+  // The reader's own text, or ours.
+  #openText() {
     const { start } = this.#step;
     const kept = this.#shelf.open(this.#chapter);
-    let mayRun = true;
+    const isOwn = kept?.from === this.#chapter;
+    const ours = kept === null ? start : carry(kept.text, this.#step);
+    this.#desk.open({ text: isOwn ? kept.text : ours, isOwn, mayRun: !kept?.unfinished });
+    this.#setText();
     if (kept === null) {
-      this.#setText(start);
       const before = this.#shelf.before(this.#chapter);
       if (before > 0)
         this.#note(`You have a program of chapter ${before}; this is our state.`, [
           button(`Bring mine`, () => this.#bring(before)),
         ]);
-    } else if (kept.from === this.#chapter) {
-      this.#isTouched = true;
-      this.#setText(kept.text);
-    } else {
-      this.#setText(carry(kept.text, this.#step));
+    } else if (!isOwn) {
       this.#note(
         `Your functions of chapter ${kept.from} are in this program. ` +
           'Those that this chapter adds or changes are ours.',
         [button('Start from our state', () => this.#put(start, 'Carried over'))],
       );
     }
-    if (kept?.unfinished) {
-      mayRun = false;
+    if (kept?.unfinished)
       this.#note(
         'This program did not come to its end last time, so it waits for you.',
-        [button('Run it', () => this.#run())],
+        [button('Run it', () => this.#press())],
         { until: 'run' },
       );
-    }
-    return (await this.#openLink()) ? false : mayRun;
   }
 
   #bring(chapter) {
@@ -179,42 +173,47 @@ class Panel {
 
   // A program in the address is shown, and waits.
   async #openLink() {
+    const link = ++this.#links;
     const code = codeIn(location.hash);
-    if (code === null) return false;
+    if (code === null) return;
     try {
       const text = await textOf(code);
-      const own = this.#current;
-      this.#isGuest = true;
-      this.#setText(text);
-      this.#note(
-        'This program came with a link. It runs only when you press Run.',
-        [
-          button('Run it', () => this.#run()),
-          button('Back to my program', () => this.#leaveGuest(own)),
-        ],
-        { until: 'run' },
-      );
-      this.#guestOf = own;
-      return true;
+      if (link !== this.#links) return; // the address has another by now
+      this.#desk.bring(text);
+      this.#setText();
+      this.#noteLink();
     } catch (error) {
-      this.#note(error.message);
-      return false;
+      if (link === this.#links) this.#note(error.message);
     }
   }
-  #guestOf = '';
 
-  #leaveGuest(text) {
-    this.#isGuest = false;
+  #noteLink() {
+    const { isWaiting } = this.#desk;
+    const back = button('Back to my program', () => {
+      this.#change(() => this.#desk.back());
+      this.#setText();
+      this.#run();
+    });
+    this.#note(
+      `This program came with a link. ${isWaiting ? 'It runs only when you press Run.' : 'It is not kept unless you change it.'}`,
+      isWaiting ? [button('Run it', () => this.#press()), back] : [back],
+    );
+  }
+
+  // Whatever takes the place of a link's program; the address is then the page's again.
+  #change(act) {
+    const { whose } = this.#desk;
+    act();
+    if (whose !== 'link' || this.#desk.whose === 'link') return;
     history.replaceState(null, '', location.pathname + location.search);
-    this.#setText(text);
     this.#note('');
-    this.#run();
   }
 
   // ---- The text
 
-  #setText(text) {
-    this.#text = text;
+  // What the desk has now.
+  #setText() {
+    const { text } = this.#desk;
     if (this.#editor === null) this.#paint(text);
     else this.#editor.replace(text);
     clearTimeout(this.#typing);
@@ -232,16 +231,15 @@ class Panel {
 
   // Another text in place of the reader's, which stays at hand.
   #put(text, why) {
-    const before = this.#current;
-    const wasTouched = this.#isTouched;
-    if (wasTouched) this.#shelf.keep(this.#chapter, before, why);
-    this.#isTouched = true;
-    this.#setText(text);
+    let undo;
+    this.#change(() => (undo = this.#desk.put(text, why)));
+    this.#setText();
     this.#note('Another text is in place of yours.', [
       button('Undo', () => {
-        this.#isTouched = wasTouched;
-        this.#setText(before);
-        this.#note('');
+        this.#change(undo);
+        this.#setText();
+        if (this.#desk.whose === 'link') this.#noteLink();
+        else this.#note('');
         this.#run();
       }),
     ]);
@@ -267,11 +265,11 @@ class Panel {
       const place = make('div', { class: 'write-editor' });
       pre.replaceWith(place);
       this.#editor = makeEditor(place, {
-        text: this.#text,
+        text: this.#desk.text,
         label: 'Your program',
         describedBy: 'Tab leaves the editor. Control and ] indent. Control and Enter run.',
         onChange: () => this.#onTyping(),
-        onRun: () => this.#run(),
+        onRun: () => this.#press(),
       });
       this.#editor.scrollTop = top;
       this.#markErrors();
@@ -285,44 +283,39 @@ class Panel {
   }
 
   #onTyping() {
-    this.#isTouched = true;
+    this.#change(() => this.#desk.type(this.#editor.text));
     clearTimeout(this.#typing);
-    if (this.#isGuest) return;
     this.#typing = setTimeout(() => {
-      if (this.#editor.parses) this.#run();
-      else this.#shelf.save(this.#chapter, this.#current, false);
+      this.#desk.rest(this.#editor.parses);
+      this.#run();
     }, kTypingMilliseconds);
   }
 
   // ---- Runs
 
+  #press() {
+    this.#change(() => this.#desk.press());
+    if (this.#desk.whose === 'link') this.#noteLink();
+    return this.#run();
+  }
+
+  // Runs what the desk gives out.
   async #run() {
-    clearTimeout(this.#typing);
-    if (this.#running) {
-      this.#runAgain = true;
-      return;
-    }
-    this.#running = true;
+    let text = this.#desk.begin();
+    if (text === null) return;
     this.#parts.run.setAttribute('aria-disabled', 'true');
-    do {
-      this.#runAgain = false;
-      await this.#runOnce();
-    } while (this.#runAgain);
-    this.#running = false;
+    for (; text !== null; text = this.#desk.begin()) {
+      clearTimeout(this.#typing);
+      const isStopped = await this.#runOnce(text);
+      this.#desk.end({ isStopped });
+    }
     this.#parts.run.removeAttribute('aria-disabled');
     if (this.#drawAgain) this.#follow();
   }
 
-  async #runOnce() {
-    if (this.#isGuest) {
-      this.#isGuest = false;
-      if (this.#isTouched) this.#shelf.keep(this.#chapter, this.#guestOf, 'Before the link');
-      this.#isTouched = true;
-      history.replaceState(null, '', location.pathname + location.search);
-    }
-    const text = this.#current;
+  // Returns whether the program was stopped.
+  async #runOnce(text) {
     if (this.#parts.note.dataset.until === 'run') this.#note('');
-    if (this.#isTouched) this.#shelf.save(this.#chapter, text, true);
     let error = null;
     try {
       const { caster } = this.#parts;
@@ -339,12 +332,11 @@ class Panel {
     } catch (problem) {
       error = problem;
     }
-    // What was stopped does not run unasked when the page is opened again.
     if (isStop(error)) this.#isAlive = false;
-    else this.#shelf.finish(this.#chapter);
     await this.#showError(error, text);
-    if (this.#shelf.fails && this.#isTouched)
+    if (this.#shelf.fails && this.#desk.whose === 'reader')
       this.#note('This browser does not keep your program: download it before you leave.');
+    return isStop(error);
   }
 
   #isAlive = false; // the program runs, and can be asked
@@ -437,8 +429,8 @@ class Panel {
   async #follow() {
     this.#parts.home.hidden = false;
     clearTimeout(this.#settling);
-    if (!this.#isAlive && !this.#running) return;
-    if (this.#drawing || this.#running) {
+    if (!this.#isAlive && !this.#desk.isRunning) return;
+    if (this.#drawing || this.#desk.isRunning) {
       this.#drawAgain = true;
       return;
     }
@@ -448,7 +440,7 @@ class Panel {
         this.#drawAgain = false;
         await this.#draw();
       } while (this.#drawAgain);
-      await this.#showError(null, this.#current);
+      await this.#showError(null, this.#desk.text);
       this.#settling = setTimeout(
         () => this.#judge().catch((error) => this.#fail(error)),
         kCompareMilliseconds,
@@ -463,13 +455,13 @@ class Panel {
   // A program that ran before can fail in another view.
   #fail(error) {
     if (isStop(error)) this.#isAlive = false;
-    return this.#showError(error, this.#current);
+    return this.#showError(error, this.#desk.text);
   }
 
   async #walk(ahead, aside) {
     const { caster } = this.#parts;
     const view = caster.currentView;
-    if (this.#isAlive && this.#chapter >= kWalksFrom && namesIn(this.#current).includes('move')) {
+    if (this.#isAlive && this.#chapter >= kWalksFrom && namesIn(this.#desk.text).includes('move')) {
       if (this.#moving) return;
       this.#moving = true;
       try {
@@ -532,7 +524,11 @@ class Panel {
     this.#element.dispatchEvent(new CustomEvent(name, event));
   }
 
-  async #showError(error, text) {
+  #showError(error, text) {
+    return this.#explain(error, text).catch(({ message }) => this.#say(message, 'wrong'));
+  }
+
+  async #explain(error, text) {
     const { errorBox } = this.#parts;
     if (error !== null && !(error instanceof ProgramError)) console.error(error);
     if (!(error instanceof ProgramError) || error === null) {
@@ -584,6 +580,10 @@ class Panel {
     if (status.textContent !== text) status.textContent = text;
   }
 
+  #tell(work) {
+    work.catch(({ message }) => this.#say(message, 'wrong'));
+  }
+
   // A note above the program, with what can be done about it.
   #note(text, buttons = [], { until = '' } = {}) {
     const { note } = this.#parts;
@@ -606,12 +606,12 @@ class Panel {
     const { engineOptions: options, scene, view, seconds } = this.#settings;
     const acts = {
       edit: (event) => this.#edit(event),
-      run: () => this.#run(),
+      run: () => this.#press(),
       start: () => this.#put(this.#step.start, 'Before our state'),
       answer: () => this.#showAnswer(),
       earlier: () => this.#showEarlier(),
-      share: () => this.#share(),
-      download: () => this.#download(),
+      share: () => this.#tell(this.#share()),
+      download: () => this.#tell(this.#download()),
       home: () => this.#goHome(),
       time: (now) => {
         this.#passTime(now);
@@ -653,7 +653,7 @@ class Panel {
     }
     const { answer } = this.#step;
     const code = make('code');
-    const fresh = newLines(this.#current, answer);
+    const fresh = newLines(this.#desk.text, answer);
     paint(code, answer, (index) => fresh.has(index));
     const close = button('Close', () => {
       box.hidden = true;
@@ -708,7 +708,7 @@ class Panel {
   async #share() {
     const { share: box } = this.#parts;
     const page = `${location.origin}${location.pathname}${location.search}`;
-    const address = `${page}#program=${await codeOf(this.#current)}`;
+    const address = `${page}#program=${await codeOf(this.#desk.text)}`;
     const field = make('input', { readonly: true, value: address, id: 'write-address' });
     field.addEventListener('focus', () => field.select());
     box.replaceChildren(
@@ -736,7 +736,7 @@ class Panel {
     );
     const { eye: view, fov } = this.#source;
     const page = await exportPage(new URL('export.html', this.#folder), {
-      text: this.#current,
+      text: this.#desk.text,
       data: await this.#world,
       view,
       fov,

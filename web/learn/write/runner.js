@@ -5,8 +5,11 @@
 //     await runner.ask('draw', { view, fov, width, height });     // { milliseconds, picture }
 //     runner.close();
 //
-// Throws a ProgramError if the program fails: its `kind` is 'error', 'time' (it took more than
+// Answers have the shape and range that answers.js says. Throws a ProgramError if the program
+// fails, or gives anything else: its `kind` is 'error', 'time' (it took more than
 // 2 s) or 'frame' (the whole frame is gone, as for want of memory). One question at a time.
+
+import { checkedAnswer, checkedError } from './answers.js';
 
 const kFrameMilliseconds = 4000; // the frame ends programs after 2 s; a starting one needs more
 const kStartMilliseconds = 10000;
@@ -67,8 +70,14 @@ export class Runner {
       throw new ProgramError('frame');
     }
     if (data.stopped) throw new ProgramError('time');
-    if (data.error !== undefined) throw new ProgramError('error', data.error);
-    return data.answer;
+    let error;
+    try {
+      if (data.error === undefined) return checkedAnswer(action, detail, data.answer);
+      error = checkedError(data.error);
+    } catch ({ message }) {
+      error = { name: 'RangeError', message };
+    }
+    throw new ProgramError('error', error);
   }
 
   // A frame of an opaque origin, and a channel that only it and this object have.
@@ -95,6 +104,6 @@ function isAnswer(data) {
     typeof data === 'object' &&
     data !== null &&
     Number.isInteger(data.id) &&
-    ['answer', 'error', 'stopped'].filter((key) => key in data).length === 1
+    ['answer', 'error', 'stopped'].filter((key) => Object.hasOwn(data, key)).length === 1
   );
 }

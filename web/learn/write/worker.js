@@ -1,7 +1,9 @@
 // The worker in which a reader's program runs. tools/learn/run-page.mjs bundles it into one text.
 //
 // The frame gets one message, with a port. Then this scope loses postMessage: whatever a program
-// sends, nobody listens. Only this file knows the port.
+// sends, nobody listens. Only this file knows the port, and a program that had it could answer in
+// this file's place. An event of the port names it, so once a program is there, nothing that the
+// program can replace is called with such an event.
 
 /* global importScripts */
 
@@ -11,6 +13,8 @@ import { makeEye, makePicture, makeWorld } from '../raycaster/world.js';
 
 const { port1: port, port2 } = new MessageChannel();
 const send = port.postMessage.bind(port);
+const { apply } = Reflect;
+const dataOf = Object.getOwnPropertyDescriptor(MessageEvent.prototype, 'data').get;
 const now = performance.now.bind(performance);
 self.postMessage({ port: port2 }, [port2]);
 for (const place of [self, Object.getPrototypeOf(self)]) delete place.postMessage;
@@ -63,7 +67,8 @@ const kActions = {
   },
 };
 
-port.onmessage = ({ data: { id, action, detail } }) => {
+port.onmessage = (event) => {
+  const { id, action, detail } = apply(dataOf, event, []);
   // Whatever goes wrong while the program is read arrives at the frame as an event, with its place.
   if (action === 'read') read(detail.text);
   try {
