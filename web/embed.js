@@ -76,22 +76,23 @@ function show(parameters) {
   for (const [name, read] of Object.entries(kAddresses))
     if (parameters.get(name)) caster.setAttribute(name, read(parameters.get(name)));
   const origin = find('origin');
-  const showOrigin = (text) => {
+  const showOrigin = (address, text) => {
     origin.textContent = text;
-    origin.hidden = hostOf(caster.scene || caster.address) === '';
+    origin.hidden = hostOf(address) === '';
   };
+  const showNext = () => showOrigin(caster.scene, `A scene from ${hostOf(caster.scene)}`);
   caster.addEventListener('ready', ({ detail }) => {
     const title = titleFrom(caster.address, detail.title);
     document.title = `${title} · Slicecast`;
     find('title').textContent = title;
     if (!parameters.get('label')) caster.label = nameFrom(caster.address, detail.title);
-    showOrigin(title);
+    showOrigin(caster.address, title);
   });
   caster.addEventListener('statechange', ({ detail }) => {
     document.body.dataset.state = detail.state;
-    if (detail.state === 'loading') showOrigin(`A scene from ${hostOf(caster.scene)}`);
+    if (detail.state === 'loading') showNext();
   });
-  showOrigin(`A scene from ${hostOf(caster.scene)}`);
+  showNext();
   find('place').append(caster);
   listenToHost(caster, parameters.get('origin') || location.origin, kAddresses);
   if (!kNoBadge.includes(parameters.get('badge'))) offerPlayPage(parameters);

@@ -9,17 +9,23 @@
 namespace slicecast {
 namespace {
 
-// A file name that works on every system and in URLs: relative, with forward slashes and without
-// the special characters of URLs.
-bool isPortable(std::string_view name) {
-    if (name.empty() || name.front() == '/') return false;
+// What keeps a file name from working on every system and as a relative URL; empty if nothing does.
+// A URL loses a blank at its beginning, and " //host/x.png" would be on another host.
+std::string_view whyNotPortable(std::string_view name) {
+    if (name.substr(0, 1) == "/") return ", without a slash at its beginning";
+    if (name.substr(0, 1) == " ") return ", without a blank at its beginning";
+    char before = 0;
     for (const char c : name) {
-        if (static_cast<unsigned char>(c) < 0x20 ||
-            std::string_view("\\:?#%*\"<>|").find(c) != std::string_view::npos) {
-            return false;
-        }
+        const auto byte = static_cast<unsigned char>(c);
+        // In UTF-8 the control characters from U+0080 to U+009F begin with this byte.
+        const bool isLate = static_cast<unsigned char>(before) == 0xc2 && byte < 0xa0;
+        if (byte < 0x20 || byte == 0x7f || isLate) return ", without control characters";
+        if (std::string_view("\\:?#%*\"<>|").find(c) != std::string_view::npos)
+            return ", with forward slashes and none of \\ : ? # % * \" < > |";
+        before = c;
     }
-    return true;
+    if (name.find("//") != std::string_view::npos) return ", with single slashes";
+    return {};
 }
 
 bool isPng(std::string_view name) {
@@ -34,11 +40,8 @@ std::optional<std::string> readFileName(Checker& checker, JsonValue value) {
     const std::string expected = "the name of a PNG file, relative to the scene's folder";
     std::optional<std::string> name = checker.text(value, kMaxPathLength, expected);
     if (!name) return std::nullopt;
-    if (!isPortable(*name)) {
-        checker.add(value, {"the file name ", quoted(*name)},
-                    {expected, name->front() == '/'
-                                   ? ", without a slash at its beginning"
-                                   : ", with forward slashes and none of \\ : ? # % * \" < > |"});
+    if (const std::string_view why = whyNotPortable(*name); !why.empty()) {
+        checker.add(value, {"the file name ", quoted(*name)}, {expected, why});
         return std::nullopt;
     }
     if (!isPng(*name)) {

@@ -289,6 +289,35 @@ test('a scene from elsewhere is marked with its host, and its title cannot pose 
   }
 });
 
+test('a scene to which the own server redirects is marked with its host, too', async (t) => {
+  const other = await serve({
+    files: roomFiles({ title: 'Log in again' }),
+    headers: { 'Access-Control-Allow-Origin': '*' },
+  });
+  t.after(() => other.close());
+  const { page, server } = await openPage(t, browser, {
+    query: 'embed.html?scene=room',
+    server: {
+      redirects: {
+        'scenes/away.json': `${other.address}scenes/room.json`,
+        'scenes/near.json': '/scenes/room.json',
+      },
+    },
+  });
+  const said = `From ${new URL(other.address).host}: “Log in again”`;
+  await page.goto(`${server.address}embed.html?scene=away&autoplay`);
+  await page.waitForFunction((wanted) => document.title === wanted, `${said} · Slicecast`);
+  assert.equal(await page.innerText('#origin:visible'), said);
+  await page.goto(`${server.address}?scene=away`);
+  await page.waitForFunction(() => document.body.dataset.state === 'paused');
+  assert.equal(await page.innerText('#pause-title'), said);
+  assert.equal(await page.title(), `${said} · Slicecast`);
+  for (const where of ['embed.html', '']) {
+    await page.goto(`${server.address}${where}?scene=near`);
+    await page.waitForFunction(() => document.title === 'The coloured room · Slicecast');
+  }
+});
+
 test('the page around the frame exchanges messages with it, if the address names its origin', async (t) => {
   const host = await serve({
     files: { 'host.html': '<!doctype html><title>Host</title><body></body>' },

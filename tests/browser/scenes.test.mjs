@@ -19,7 +19,8 @@ import {
   untilPlayer,
 } from './browser.mjs';
 import { png } from './png.mjs';
-import { kBlue, kGreen, roomPictures, roomScene } from './room.mjs';
+import { kBlue, kGreen, roomFiles, roomPictures, roomScene } from './room.mjs';
+import { serve } from './static-server.mjs';
 
 const kOrange = [240, 130, 20];
 
@@ -272,6 +273,88 @@ test('a redirect that is gone: trying again looks for the pictures at the curren
   await page.click('#trouble-again');
   await inState(page, 'paused');
   assert.deepEqual(await pixel(page, 0.5, 0.5), kGreen);
+});
+
+test('nothing is asked for that the checked scene does not name', async (t) => {
+  const other = await serve({ files: {}, headers: { 'Access-Control-Allow-Origin': '*' } });
+  t.after(() => other.close());
+  const { host } = new URL(other.address);
+  const kNames = [
+    ...[`http://${host}/a.png`, `//${host}/b.png`, ` //${host}/c.png`, `http://${host}/d?.png`],
+    ...[`\t//${host}/e.png`, `\\\\${host}\\f.png`, '/root.png', '../api/logout?.png', 'g.png#.png'],
+  ];
+  const scene = roomScene();
+  const files = {};
+  kNames.forEach((name, index) => {
+    files[`scenes/odd-${index}.json`] = JSON.stringify({
+      ...scene,
+      textures: { ...scene.textures, odd: name },
+    });
+    files[`scenes/said-${index}.json`] = JSON.stringify({ ...scene, title: name });
+  });
+  const { page, server } = await openPage(t, browser, {
+    server: { files },
+    query: '?scene=room',
+    expectErrors: true,
+  });
+  await inState(page, 'paused');
+  const wanted = [];
+  page.on('request', (request) => wanted.push(request.url()));
+  for (const where of ['', 'embed.html'])
+    for (const [kind, state] of [
+      ['odd', /trouble|error/],
+      ['said', /paused/],
+    ])
+      for (const index of kNames.keys()) {
+        await page.goto(`${server.address}${where}?scene=${kind}-${index}`);
+        await page.waitForFunction(
+          (text) => new RegExp(text).test(document.body.dataset.state),
+          state.source,
+        );
+      }
+  await page.waitForTimeout(300);
+  const pictures = wanted.filter((url) => /\.png|^(?!http:\/\/localhost)/.test(url));
+  const known = new RegExp(`^${server.address}scenes/(pictures|posters)/[\\w-]+\\.png$`);
+  assert.ok(pictures.length > 50);
+  assert.deepEqual(
+    pictures.filter((url) => !known.test(url)),
+    [],
+  );
+  assert.deepEqual(other.asked, []);
+});
+
+test('pictures of another host are asked for when its scene has been checked', async (t) => {
+  const scene = roomScene();
+  const other = await serve({
+    files: {
+      ...roomFiles(),
+      'scenes/broken.json': JSON.stringify({ ...scene, start: null }),
+      'scenes/whole.json': JSON.stringify(scene),
+    },
+    headers: { 'Access-Control-Allow-Origin': '*' },
+  });
+  t.after(() => other.close());
+  const { page } = await openPage(t, browser, { query: '?scene=room', expectErrors: true });
+  await inState(page, 'paused');
+  for (const [file, state] of [
+    ['scenes/broken.json', 'error'],
+    ['scenes/whole.json', 'ready'],
+  ]) {
+    other.asked.length = 0;
+    await page.evaluate((address) => {
+      window.one?.remove();
+      window.one = Object.assign(document.createElement('ray-caster'), {
+        scene: address,
+        loading: 'eager',
+      });
+      window.one.addEventListener('ready', () => (window.one.dataset.is = 'ready'));
+      window.one.addEventListener('error', () => (window.one.dataset.is = 'error'));
+      document.body.append(window.one);
+    }, other.address + file);
+    await page.waitForFunction((is) => window.one.dataset.is === is, state);
+    const pictures = other.asked.filter((name) => name.endsWith('.png'));
+    assert.equal(pictures.length > 0, state === 'ready', pictures.join());
+  }
 });
 
 test('without a list of scenes the menu says why', async (t) => {

@@ -254,6 +254,31 @@ test("pictures of a host that does not share: the scene's fault says so", async 
   assert.match((await troubleOf(page)).faults[0].found, /does not allow pages of other origins/);
 });
 
+test('a host that only a redirect has named is not asked a second time', async (t) => {
+  other.asked.length = 0;
+  const { page } = await openTroubled(t, {
+    body: '<ray-caster scene="scenes/moved.json"></ray-caster>',
+    server: { redirects: { 'scenes/moved.json': `${other.address}scenes/room.json` } },
+  });
+  assert.match((await troubleOf(page)).message, /does not allow pages of other origins/);
+  assert.equal(other.asked.length, 1);
+
+  const half = await serve({
+    files: roomFiles(),
+    headersOf: (name) => (name.endsWith('.json') ? { 'Access-Control-Allow-Origin': '*' } : {}),
+  });
+  t.after(() => half.close());
+  const { page: second } = await openTroubled(t, {
+    body: '<ray-caster scene="scenes/moved.json"></ray-caster>',
+    server: { redirects: { 'scenes/moved.json': `${half.address}scenes/room.json` } },
+  });
+  const { faults } = await troubleOf(second);
+  assert.match(faults[0].found, /does not answer, or does not let this page read its answer/);
+  const pictures = half.asked.filter((name) => name.endsWith('.png'));
+  assert.ok(pictures.length > 1);
+  assert.equal(new Set(pictures).size, pictures.length);
+});
+
 test('no memory for the engine: engine', async (t) => {
   const { page } = await openTroubled(t, {
     prepare: async (opened) => {

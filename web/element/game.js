@@ -9,10 +9,11 @@
 // `key` identifies the request: build, scene and tour.
 
 import { Engine } from '../engine/engine.js';
+import { finalAddress } from '../engine/fetch-bytes.js';
 import { faultOf, orFault } from './faults.js';
 import { nowPlays, players, sharedEngineFiles } from './page-cache.js';
 import { namedScene, readTour } from './source.js';
-import { withReason } from '../engine/source-parts.js';
+import { picturesIn, withReason } from '../engine/source-parts.js';
 import { sceneFault } from '../engine/trouble.js';
 
 const kEngineShare = 0.5; // of the progress, if the engine must be fetched
@@ -92,7 +93,8 @@ export class Game {
           faults.map((fault) => withReason(fault, found.failures)),
         );
       if (isAdopted) onProgress(1, engineBytes);
-      this.source = found;
+      // Where it really came from, so that pages can tell.
+      this.source = { ...found, address: found.address && finalAddress(found.address) };
       this.#tour = recording;
       if (isNew) this.#take(engine, files.kind);
       this.#key = key;
@@ -188,16 +190,19 @@ export class Game {
   }
 }
 
-// Fetches the scene's text, and all pictures that it seems to name, while the engine loads. Errors
-// are reported later, when the text is read.
+// Fetches the scene's text and, from the page's own origin, the pictures that it names, while the
+// engine loads. Other pictures are asked for when the engine has checked the text. Errors are
+// reported later, when the text is read.
 function beginReading(source, isStale) {
   const text = source.readText();
   text
     .then(async (bytes) => {
       if (isStale()) return;
-      const names = new TextDecoder().decode(bytes).matchAll(/"([^"\\]+\.png)"/gi);
+      const isOwn = (file) => source.addressOf?.(file).origin === location.origin;
       await Promise.all(
-        Array.from(new Set(Array.from(names, ([, file]) => file)), (file) => source.readFile(file)),
+        picturesIn(bytes)
+          .filter(isOwn)
+          .map((file) => source.readFile(file)),
       );
     })
     .catch(() => {});

@@ -211,7 +211,7 @@ function sceneFrom(address) {
           error.code,
         );
       }),
-    ...filesBeside(isFile(address) ? address : kScenes),
+    ...filesAt((file) => new URL(file, finalAddress(isFile(address) ? address : kScenes))),
   };
 }
 
@@ -221,7 +221,7 @@ function sceneOf(name, read, addressOfFile) {
     address: null,
     pictures,
     readText: async () => new TextEncoder().encode(await read()),
-    ...filesBy((file, onBytes) => fetchFile(addressOfFile(file), onBytes)),
+    ...filesAt(addressOfFile),
   };
 }
 
@@ -238,8 +238,11 @@ function sceneOfPage(source) {
   };
 }
 
-function filesBeside(address) {
-  return filesBy((file, onBytes) => fetchFile(new URL(file, finalAddress(address)), onBytes));
+function filesAt(addressOfFile) {
+  return {
+    addressOf: addressOfFile,
+    ...filesBy((file, onBytes) => fetchFile(addressOfFile(file), onBytes)),
+  };
 }
 
 // If the server sends a web page instead of a shipped file, the package's folders are missing where

@@ -15,10 +15,13 @@ const kProbeMilliseconds = 4000; // how long the second request waits for an ans
 
 let cache = 'default';
 const redirects = new Map(); // address -> its last redirect
+const strangers = new Set(); // origins that only a redirect has named
 
-// Where the bytes of an address really came from, after redirects: relative names resolve there.
+// Where the bytes of an address really came from, after redirects, as a URL: relative names resolve
+// there.
 export function finalAddress(address) {
-  return redirects.get(new URL(address).href) ?? address;
+  const { href } = new URL(address);
+  return new URL(redirects.get(href) ?? href);
 }
 
 // From now on, cached files are checked with their server: somebody tries again.
@@ -47,8 +50,13 @@ export async function fetchResponse(address) {
   } finally {
     violations.stop();
   }
-  if (response.redirected) redirects.set(new URL(address).href, response.url);
-  else redirects.delete(new URL(address).href);
+  const { href, origin } = new URL(address);
+  redirects.delete(href);
+  if (response.redirected) {
+    redirects.set(href, response.url);
+    const last = new URL(response.url).origin;
+    if (last !== origin) strangers.add(last);
+  }
   if (!response.ok)
     throw coded('fetch', `the server answers ${response.status} ${response.statusText}`.trim());
   return response;
@@ -130,7 +138,8 @@ export function listenForViolations() {
 }
 
 // A fetch failed without an answer. A request with no-cors succeeds whatever headers the server
-// sends, though the page cannot read the answer; so it tells a CORS error from a dead server.
+// sends, though the page cannot read the answer; so it tells a CORS error from a dead server. Hosts
+// that only a redirect has named are not asked again.
 async function causeOf(address, { refused }) {
   await new Promise((resolve) => setTimeout(resolve, kViolationMilliseconds));
   // Ignores other addresses that the policy refuses meanwhile, for instance of trackers. For data:
@@ -142,8 +151,12 @@ async function causeOf(address, { refused }) {
   );
   if (isRefused)
     return coded('csp', "the page's Content-Security-Policy does not allow it (connect-src)");
+  if (strangers.has(origin))
+    return coded('fetch', 'the server does not answer, or does not let this page read its answer');
+  // The page's own server answers whatever it sends on to.
+  const isOwn = origin === globalThis.origin;
   const answers = await fetch(address, {
-    mode: 'no-cors',
+    ...(isOwn ? { redirect: 'manual' } : { mode: 'no-cors' }),
     cache: 'no-store',
     signal: AbortSignal.timeout?.(kProbeMilliseconds),
   }).then(

@@ -2,6 +2,7 @@
 //
 //     name               for messages
 //     readText()         the scene's bytes; throws a Trouble
+//     addressOf(name)    optional: where that file is, a URL
 //     readFile(name)     the bytes of a file that the scene names, or null; `failures` then has why
 //     pictures           optional: get(bytes) returns the pixels of a file that another engine has
 //                        decoded, keep(bytes, pixels) is told of those that this one has decoded
@@ -23,6 +24,16 @@ export function nameOf(address) {
   } catch {
     return name;
   }
+}
+
+// The files that a scene's text names, where the engine looks for them, as far as their names are
+// plain: whatever folder they are relative to, they lie on its host. Throws if it is not a scene.
+export function picturesIn(bytes) {
+  const { textures = {}, sprites = {}, maps } = JSON.parse(new TextDecoder().decode(bytes));
+  const skies = maps.map(({ sky }) => sky?.panorama);
+  const named = [...Object.values(textures), ...Object.values(sprites), ...skies];
+  const files = named.map((picture) => picture?.file ?? picture);
+  return [...new Set(files)].filter((file) => /^(?!.*\/\/)[\w.][\w./-]*\.(png|PNG)$/.test(file));
 }
 
 // Whether a file that a scene of rows names is one of the shipped ones; others are the author's.

@@ -35,7 +35,12 @@ export function sceneAddress(reference) {
 export function referenceOf(address) {
   const folders = [kScenes.href, new URL('.', document.baseURI).href];
   const folder = folders.find((one) => address.startsWith(one)) ?? '';
-  return decodeURIComponent(address.slice(folder.length));
+  const reference = address.slice(folder.length);
+  try {
+    return decodeURIComponent(reference);
+  } catch {
+    return reference; // "%" is a letter of its own here
+  }
 }
 
 export function tourAddress(name) {
