@@ -13,6 +13,10 @@ Face leftFace(std::size_t axis, bool up) {
                        : (up ? Face::top : Face::bottom);
 }
 
+bool isBetweenLevels(Face left) {
+    return left == Face::top || left == Face::bottom;
+}
+
 }  // namespace
 
 // A way through the map, as far as it has been followed.
@@ -126,7 +130,8 @@ bool LightScene::meetCell(Travel& travel, const LightVector& cell, LightMoment e
     if (travel.inside != nullptr) {
         const bool joins =
             travel.joinsAfter && passage.joinsBefore && travel.leaves == passage.in &&
-            (areJoined(*world_, *travel.inside, block) || areOneMover(*travel.inside, block));
+            (areJoined(*world_, *travel.inside, block) ||
+             (isBetweenLevels(travel.leaving) && areOneMover(*travel.inside, block)));
         if (!joins) leaveBlock(travel);
     }
     travel.inside = &block;

@@ -220,7 +220,8 @@ TEST(Judge, SmallPictures) {
                          {"pictures with a lit slope", 20},
                          {"pictures with a lit cut", 9},
                          {"pictures with light that goes on with a slope or cut", 18},
-                         {"pictures with light that goes on in another level", 9}});
+                         {"pictures with light that goes on in another level", 9},
+                         {"pictures with light between parts of a mover that do not join", 5}});
 }
 
 TEST(Judge, FullSizePictures) {

@@ -53,10 +53,11 @@ public:
     bool sawTint = false;
     bool sawPartlyLinked = false;
     bool sawOddSquare = false;
-    bool sawSlope = false;  // a texel on one was lit
-    bool sawCut = false;    // on the cut of a half
-    bool sawGoOn = false;   // one of them goes on in the next tile
-    bool sawClimb = false;  // a slope in another level
+    bool sawSlope = false;       // a texel on one was lit
+    bool sawCut = false;         // on the cut of a half
+    bool sawGoOn = false;        // one of them goes on in the next tile
+    bool sawClimb = false;       // a slope in another level
+    bool sawMoverApart = false;  // between parts of a mover, side by side, that do not join
 
 private:
     using Vector = std::array<std::int64_t, 3>;  // x, y, z, 1/65536 units
