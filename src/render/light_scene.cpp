@@ -335,6 +335,7 @@ LitFaceAt LightScene::beside(LitFaceAt at, const LitArea& area, int stepA, int s
 }
 
 bool LightScene::isInOpaque(const LightVector& point) {
+    if (point[2] < 0) return true;  // below the floor
     const int x = point[0] >> 16;
     const int y = point[1] >> 16;
     const int level = point[2] >> 16;

@@ -20,6 +20,7 @@ struct Counts {
     std::int64_t faces = 0;
     std::int64_t rising = 0;  // slopes and cuts
     std::int64_t wrong = 0;
+    int mapsBelowFloor = 0;  // where a slope dips below the floor
 };
 
 std::string nodesText(const LitFace& face, const LightTracer::Nodes& wanted,
@@ -51,9 +52,8 @@ void compareFace(LightTracer& tracer, LitMap& lit, const LitFace& face, Counts& 
     if (++counts.wrong < 4) ADD_FAILURE() << nodesText(face, wanted, *found);
 }
 
-void compareMap(const World& world, const Map& map, Counts& counts) {
+void compareMap(const World& world, const Map& map, LitMap& lit, Counts& counts) {
     LightTracer tracer(world, map);
-    LitMap lit;
     lit.beginFrame(world, map);
     for (int y = 0; y < map.depth; ++y) {
         for (int x = 0; x < map.width; ++x) {
@@ -66,6 +66,7 @@ void compareMap(const World& world, const Map& map, Counts& counts) {
                 compareFace(tracer, lit, {x, y, 0, kind}, counts);
         }
     }
+    if (tracer.sawBelowFloor) ++counts.mapsBelowFloor;
 }
 
 TEST(LightNodes, AreThoseOfTheDefinition) {
@@ -74,11 +75,13 @@ TEST(LightNodes, AreThoseOfTheDefinition) {
         const Scene scene = seed % 2 == 0 ? tieScene(seed, 16, 16) : randomScene(seed, 16, 16);
         for (const Map& map : scene.world.maps) {
             SCOPED_TRACE("seed " + std::to_string(seed));
-            if (map.baked.on) compareMap(scene.world, map, counts);
+            LitMap lit;
+            if (map.baked.on) compareMap(scene.world, map, lit, counts);
         }
     }
     EXPECT_EQ(counts.wrong, 0);
     EXPECT_GT(counts.rising, kFacesCompared / 60);
+    EXPECT_GE(counts.mapsBelowFloor, kSanitized ? 0 : 5);
 }
 
 // A slope that has moved far, low in a map with a see-through ceiling: the plane through it meets
@@ -87,7 +90,8 @@ TEST(LightNodes, AreThoseOfTheDefinitionWhereASlopeHasMoved) {
     const Scene scene = randomScene(3408, 160, 100);
     Counts counts;
     for (const Map& map : scene.world.maps) {
-        if (map.baked.on) compareMap(scene.world, map, counts);
+        LitMap lit;
+        if (map.baked.on) compareMap(scene.world, map, lit, counts);
     }
     EXPECT_GT(counts.rising, 0);
     EXPECT_EQ(counts.wrong, 0);

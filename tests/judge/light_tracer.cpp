@@ -250,6 +250,7 @@ bool LightTracer::isBehind(const Plane& plane, const Vector& point) {
 }
 
 bool LightTracer::isInOpaque(const Vector& point) const {
+    if (point[2] < 0) return true;  // below the floor
     const auto tile = [](std::int64_t raw) { return static_cast<int>(raw >> 16); };
     const auto solid = solidAt(tile(point[0]), tile(point[1]), tile(point[2]));
     return solid && !world_.blueprints[solid->id].seeThrough &&
@@ -495,6 +496,7 @@ LightTracer::Sample LightTracer::sampleOf(const LitFace& face, int column, int r
     }
     sample.at = area->inFront(along[0], along[1], kLift);
     sample.counts = !isInOpaque(sample.at);
+    sawBelowFloor = sawBelowFloor || (sample.at[2] < 0 && isRising(area->plane));
     constexpr int kTurns[2][2] = {{0, 3}, {1, 2}};
     if (sample.counts) sample.light = lightOfSample(sample.at, &*area, kTurns[column % 2][row % 2]);
     return sample;

@@ -57,6 +57,7 @@ public:
     bool sawCut = false;         // on the cut of a half
     bool sawGoOn = false;        // one of them goes on in the next tile
     bool sawClimb = false;       // a slope in another level
+    bool sawBelowFloor = false;  // a part of a slope is below the floor
     bool sawMoverApart = false;  // between parts of a mover, side by side, that do not join
 
 private:

@@ -368,6 +368,19 @@ CellBlueprint anyRamp(Random& random, const CellBlueprint& from, bool coarse) {
     return ramp;
 }
 
+// A wedge on its level's base, along the axis. A part of it that has gone on sideways may dip below
+// the base where light sees it: a bit longer than it is.
+CellBlueprint anyWedge(Random& random, const CellBlueprint& from, Axis axis) {
+    CellBlueprint wedge = from;
+    const Face ahead = axis == Axis::x ? Face::east : Face::south;
+    const Face back = axis == Axis::x ? Face::west : Face::north;
+    wedge.bottom = {};
+    wedge.top = {random.between(1, 4) * 16384};
+    wedge.slopes = slopesTo(random.oneIn(4) ? ahead : back, {}, {Coordinate{}, wedge.top});
+    wedge.faces[static_cast<std::size_t>(Face::top)].mirror = 0;
+    return wedge;
+}
+
 // What two cells along the axis, `place` 0 and 1, hold of a ramp that has gone on from the first by
 // an offset. Heights are those of the cell.
 CellBlueprint partOfRamp(const CellBlueprint& ramp, Axis axis, Coordinate offset, int place) {
@@ -404,7 +417,7 @@ CellBlueprint partOfRamp(const CellBlueprint& ramp, Axis axis, Coordinate offset
 
 }  // namespace
 
-void addRamps(Random& random, World& world, bool coarse) {
+void addRamps(Random& random, World& world, bool coarse, bool wedges) {
     const int shapes = static_cast<int>(world.blueprints.size());
     const int motions = static_cast<int>(world.motions.size());
     for (const Axis axis : {Axis::x, Axis::y, Axis::z}) {
@@ -413,9 +426,11 @@ void addRamps(Random& random, World& world, bool coarse) {
     }
     for (int m = 0; m < static_cast<int>(world.maps.size()); ++m) {
         Map& map = world.maps[static_cast<std::size_t>(m)];
-        for (int i = random.between(3, 8); i > 0; --i) {
-            const Axis axis = random.oneIn(3) ? (random.oneIn(2) ? Axis::x : Axis::y) : Axis::z;
-            const Cell from = anyCell(random, map);
+        for (int i = random.between(3, 8) * (wedges ? 3 : 1); i > 0; --i) {
+            const bool isSideways = wedges || random.oneIn(3);
+            const Axis axis = isSideways ? (random.oneIn(2) ? Axis::x : Axis::y) : Axis::z;
+            Cell from = anyCell(random, map);
+            if (wedges) from.level = 0;
             auto shape = static_cast<BlueprintId>(random.between(1, shapes - 1));
             if (random.oneIn(2)) {  // rather glass, through which one sees from part to part
                 for (int tries = 0; tries < 8 && !world.blueprints[shape].seeThrough; ++tries)
@@ -426,7 +441,8 @@ void addRamps(Random& random, World& world, bool coarse) {
             const int wide = random.between(1, 2);
             if (like.hasPortals || like.mover >= 0 || like.isWater || like.plan.half != Half::none)
                 continue;
-            CellBlueprint ramp = anyRamp(random, like, coarse);
+            CellBlueprint ramp =
+                wedges ? anyWedge(random, like, axis) : anyRamp(random, like, coarse);
             ramp.origin = like.origin == kEmptyCell ? shape : like.origin;
             ramp.mover = 9000 + static_cast<int>(world.blueprints.size());
             ramp.motion = motions + static_cast<int>(axis);

@@ -37,7 +37,8 @@ void addUneven(Random& random, World& world, bool coarse);
 void addSliders(Random& random, World& world, bool coarse);
 
 // Blocks with slopes as those that move are at some moment, up, east or south, in one or two tiles
-// or levels. In the place of blocks without portals.
-void addRamps(Random& random, World& world, bool coarse);
+// or levels. In the place of blocks without portals. With `wedges`, only those that lie on the
+// floor and move along their slope.
+void addRamps(Random& random, World& world, bool coarse, bool wedges = false);
 
 }  // namespace slicecast::judge

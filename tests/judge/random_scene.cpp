@@ -615,6 +615,8 @@ Scene randomScene(std::uint64_t seed, int width, int height) {
     Random ramps(seed ^ 0x72616d70u);
     if (ramps.oneIn(3)) addRamps(ramps, scene.world, ramps.oneIn(2));
     if (more.oneIn(6)) enterMover(more, scene.world, view);
+    Random wedges(seed ^ 0x63757473u);
+    if (isLit && wedges.oneIn(3)) addRamps(wedges, scene.world, false, true);
     if (isLit) light(lamps, scene.world);
     stir(seed, scene.world);
     Random smooth(seed ^ 0x736d6f6fu);
@@ -655,7 +657,10 @@ Scene tieScene(std::uint64_t seed, int width, int height) {
     Random ramps(seed ^ 0x72616d70u);
     if (ramps.oneIn(2)) addRamps(ramps, scene.world, true);
     Random lamps(seed ^ 0x6c616d70u);
-    if (lamps.oneIn(4)) light(lamps, scene.world);
+    const bool isLit = lamps.oneIn(4);
+    Random wedges(seed ^ 0x63757473u);
+    if (isLit && wedges.oneIn(3)) addRamps(wedges, scene.world, false, true);
+    if (isLit) light(lamps, scene.world);
     stir(seed, scene.world);
     Random smooth(seed ^ 0x736d6f6fu);
     view.smooth = smooth.oneIn(3);

@@ -328,6 +328,8 @@ Verdict judge(const World& world, const View& view, const Pixel* pixels, int pit
          tracer.sawLight(&LightTracer::sawGoOn));
     seen("pictures with light that goes on in another level",
          tracer.sawLight(&LightTracer::sawClimb));
+    seen("pictures with a slope that dips below the floor",
+         tracer.sawLight(&LightTracer::sawBelowFloor));
     seen("pictures with light between parts of a mover that do not join",
          tracer.sawLight(&LightTracer::sawMoverApart));
     const auto allowed = std::max(

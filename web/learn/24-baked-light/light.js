@@ -127,9 +127,13 @@ export class Light {
     return first < end ? first : Infinity;
   }
 
+  // Whether it is in a block, or below the floor.
   isInside(point) {
-    return this.#boxes.some(({ low, high }) =>
-      point.every((value, axis) => low[axis] <= value && value < high[axis]),
+    return (
+      point[2] < 0 ||
+      this.#boxes.some(({ low, high }) =>
+        point.every((value, axis) => low[axis] <= value && value < high[axis]),
+      )
     );
   }
 
@@ -303,7 +307,8 @@ export class Light {
       () => all([2 * squareA, 2 * squareB], 2),
       () => all([0, 0], 2 * this.#squares),
     ].reduce((list, next) => (list.length > 0 ? list : next()), []);
-    if (found.length === 0) return [0, 0, 0];
+    // The part of the ambient light that is everywhere
+    if (found.length === 0) return this.ambient.map((c) => Math.floor((c * 1020 + 1530) / 3060));
     const mean = [0, 1, 2].map((c) => {
       const sum = found.reduce((total, { light }) => total + light[c], 0);
       return Math.floor((sum + Math.floor(found.length / 2)) / found.length);
