@@ -222,7 +222,8 @@ TEST(Judge, SmallPictures) {
                          {"pictures with light that goes on with a slope or cut", 18},
                          {"pictures with light that goes on in another level", 9},
                          {"pictures with a slope that dips below the floor", 3},
-                         {"pictures with light between parts of a mover that do not join", 5}});
+                         {"pictures with light between parts of a mover that do not join", 5},
+                         {"pictures with light on a face that is not shown", 14}});
 }
 
 TEST(Judge, FullSizePictures) {

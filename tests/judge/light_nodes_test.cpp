@@ -4,6 +4,7 @@
 #include "random_scene.h"
 #include "render/lit_maps.h"
 #include "sanitized.h"
+#include "world_builder.h"
 
 #include <gtest/gtest.h>
 
@@ -146,6 +147,55 @@ TEST(LightNodes, AreTheSameUnderAnyCeiling) {
         }
     }
     EXPECT_EQ(counts.wrong, 0);
+}
+
+// A gate whose sheet is opaque while it is shut and clear when it is open, in the sun: what comes
+// through has the tint of the frame that it shows, not of the first one.
+TEST(LightNodes, AreThoseOfTheDefinitionWhileAGateOpens) {
+    WorldBuilder make;
+    make.texture("grey", {200, 200, 200, 255});
+    Image frames(4 * 8, 8);
+    for (int y = 0; y < 8; ++y) {
+        for (int x = 0; x < 4 * 8; ++x)
+            frames.at(x, y) = toPixel({240, 40, 40, static_cast<std::uint8_t>(255 - x / 8 * 80)});
+    }
+    make.world.textures.push_back(makeTexture("gate", frames, 4));
+    make.world.gateKinds.push_back({.steps = 8});
+    make.block('|', {.name = "gate", .texture = 1}).gate = 0;
+    Map& map = make.map("yard", 5, 5, 1);
+    make.put('|', 2, 2);
+    map.baked = {.on = true,
+                 .sun = {255, 255, 255, 255},
+                 .azimuth = 90.0,
+                 .altitude = 45.0,
+                 .ambient = {64, 64, 64, 255}};
+    ASSERT_TRUE(makeGates(make.world).empty());
+    makeGateFrames(make.world);
+    markSeeThrough(make.world);
+    // A node of the floor in its shadow
+    LitMap lit;
+    const auto behindGate = [&] {
+        lit.beginFrame(make.world, map);
+        return toColour(lit.nodesOf({2, 1, 0, slicecast::LitFace::floor})->nodes[15]);
+    };
+    const Colour shut = behindGate();
+    Colour before = shut;
+    const GateAsk ask = {.wish = GateAsk::Wish::open,
+                         .x = toCoordinate(2.5),
+                         .y = toCoordinate(1.5),
+                         .z = toCoordinate(0.5)};
+    for (int step = 0; step <= 8; ++step) {
+        stepGates(make.world, {}, ask);
+        SCOPED_TRACE("step " + std::to_string(step));
+        Counts counts;
+        compareMap(make.world, map, lit, counts);
+        EXPECT_EQ(counts.wrong, 0);
+        const Colour now = behindGate();
+        EXPECT_GE(now.r, before.r);
+        before = now;
+    }
+    EXPECT_GT(before.r, shut.r + 20);
+    EXPECT_GT(before.r, before.g);
 }
 
 }  // namespace

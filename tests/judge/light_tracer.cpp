@@ -249,6 +249,21 @@ bool LightTracer::isBehind(const Plane& plane, const Vector& point) {
     return *first < 0;
 }
 
+// Whether no picture shows it, because it has no texture or is between parts of a mover.
+bool LightTracer::isHidden(const LitFace& face) const {
+    if (face.kind >= LitFace::kFloor) return false;
+    const auto blockAt = [&](int level) -> const CellBlueprint& {
+        return world_.blueprints[map_.cell(face.x, face.y, level)];
+    };
+    const CellBlueprint& block = blockAt(face.level);
+    const auto which = static_cast<Face>(face.kind);
+    const int next = face.level + (which == Face::top      ? 1
+                                   : which == Face::bottom ? -1
+                                                           : map_.levels);
+    return block.face(which).texture == kNoTexture ||
+           (next >= 0 && next < map_.levels && areOneMover(block, blockAt(next)));
+}
+
 bool LightTracer::isInOpaque(const Vector& point) const {
     if (point[2] < 0) return true;  // below the floor
     const auto tile = [](std::int64_t raw) { return static_cast<int>(raw >> 16); };
@@ -511,23 +526,28 @@ const LightTracer::Nodes& LightTracer::nodesOf(const LitFace& face) {
         const int stepA = column < 0 ? -1 : column > 3 ? 1 : 0;
         const int stepB = row < 0 ? -1 : row > 3 ? 1 : 0;
         std::optional<LitFace> at;
-        // A plane that rises may go on in a tile beside the next one, or in another level
-        const int reach = stepA != 0 || stepB != 0 ? 1 : 0;
-        for (int off = -reach; off <= reach; ++off) {
+        // Where a plane rises it may go on in a tile beside the next one, or in another level
+        const Vector& n = area->plane.n;
+        const bool rises = n[static_cast<std::size_t>(area->a)] * stepA +
+                               n[static_cast<std::size_t>(area->b)] * stepB !=
+                           0;
+        for (const int off : {0, 1, -1}) {
             LitFace next = face;
             (area->a == 0 ? next.x : next.y) += stepA;
             (area->b == 2 ? next.level : next.y) += stepB;
             (area->axis == 2 ? next.level : area->axis == 1 ? next.y : next.x) += off;
-            if (off != 0 && !isRising(area->plane)) continue;
+            if (at || (off != 0 && !rises)) continue;
             const auto beside = areaOf(next);
             if (beside && beside->plane == area->plane) at = next;
         }
         if (!at) return {};
-        if (isRising(area->plane) && reach > 0) {
+        if (isRising(area->plane) && (stepA != 0 || stepB != 0)) {
             sawGoOn = true;
             sawClimb = sawClimb || (area->axis == 2 && at->level != face.level);
         }
-        return sampleOf(*at, column - 4 * stepA, row - 4 * stepB);
+        const Sample sample = sampleOf(*at, column - 4 * stepA, row - 4 * stepB);
+        sawHiddenFace = sawHiddenFace || (sample.counts && isHidden(*at) && !isHidden(face));
+        return sample;
     };
     const Rgb everywhere = {map_.baked.ambient.r, map_.baked.ambient.g, map_.baked.ambient.b};
     const auto mean = [&](const std::vector<Sample>& samples) {

@@ -59,6 +59,7 @@ public:
     bool sawClimb = false;       // a slope in another level
     bool sawBelowFloor = false;  // a part of a slope is below the floor
     bool sawMoverApart = false;  // between parts of a mover, side by side, that do not join
+    bool sawHiddenFace = false;  // a face without a texture, or between parts of a mover, counts
 
 private:
     using Vector = std::array<std::int64_t, 3>;  // x, y, z, 1/65536 units
@@ -103,6 +104,7 @@ private:
     std::optional<Area> areaOf(const LitFace& face) const;
     static bool isRising(const Plane& plane);
     static bool isBehind(const Plane& plane, const Vector& point);
+    bool isHidden(const LitFace& face) const;
     bool isInOpaque(const Vector& point) const;
     Rgb through(const Vector& from, const Vector& way, bool endless);
     Rgb tintOf(TextureId texture);

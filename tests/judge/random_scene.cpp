@@ -15,7 +15,7 @@ namespace {
 // A texture of which each texel's colour tells its place: red the texture and the frame, green u,
 // blue v. With up to 8 texels a side, neighbours can be told apart in the dimmest light. Finer
 // textures are used only in worlds whose light never falls below a half. See-through textures have
-// holes, opaque texels and all between.
+// holes, opaque texels and all between, and a second frame lets more through.
 Texture codedTexture(int index, int size, bool seeThrough, int frames, double rate) {
     Image image(size * frames, size);
     const int step = 240 / size;
@@ -28,8 +28,9 @@ Texture codedTexture(int index, int size, bool seeThrough, int frames, double ra
                          static_cast<std::uint8_t>(8 + y * step), 255});
             if (seeThrough && (x + y + index) % 3 != 0) {
                 Colour colour = toColour(image.at(column, y));
-                colour.a = static_cast<std::uint8_t>(
-                    (x * 5 + y * 3 + index) % 4 == 0 ? 0 : 40 + (x * 31 + y * 57) % 200);
+                const int dense = (x * 31 + y * 57) % 200 / (1 + 3 * (column / size));
+                colour.a =
+                    static_cast<std::uint8_t>((x * 5 + y * 3 + index) % 4 == 0 ? 0 : 40 + dense);
                 image.at(column, y) = toPixel(colour);
             }
         }
@@ -375,6 +376,29 @@ void goOn(Random& random, World& world) {
     markPlans(world);
 }
 
+// Some blocks have variants, which may be see-through where the others are not; numbers of their
+// own, so that the rest of the scene stays what it is.
+void vary(Random& random, World& world) {
+    const std::size_t blueprints = world.blueprints.size();
+    for (std::size_t i = 1; i < blueprints; ++i) {
+        const auto id = static_cast<BlueprintId>(i);
+        if (world.blueprints[i].hasPortals || world.blueprints[i].mover >= 0 || random.oneIn(2))
+            continue;
+        CellBlueprint variant = instanceOf(world, id);
+        for (FaceBlueprint& face : variant.faces) {
+            if (face.texture != kNoTexture && !random.oneIn(3)) face.texture = anyTexture(random);
+        }
+        const auto other = static_cast<BlueprintId>(world.blueprints.size());
+        world.blueprints.push_back(std::move(variant));
+        for (Map& map : world.maps) {
+            for (BlueprintId& cell : map.cells) {
+                if (cell == id && random.oneIn(2)) cell = other;
+            }
+        }
+    }
+    markSeeThrough(world);
+}
+
 // Some worlds have baked light; numbers of their own, so that the rest of the scene stays what it
 // is.
 void light(Random& random, World& world) {
@@ -617,6 +641,8 @@ Scene randomScene(std::uint64_t seed, int width, int height) {
     if (more.oneIn(6)) enterMover(more, scene.world, view);
     Random wedges(seed ^ 0x63757473u);
     if (isLit && wedges.oneIn(3)) addRamps(wedges, scene.world, false, true);
+    Random variants(seed ^ 0x76617269u);
+    if (variants.oneIn(6)) vary(variants, scene.world);
     if (isLit) light(lamps, scene.world);
     stir(seed, scene.world);
     Random smooth(seed ^ 0x736d6f6fu);
@@ -660,6 +686,8 @@ Scene tieScene(std::uint64_t seed, int width, int height) {
     const bool isLit = lamps.oneIn(4);
     Random wedges(seed ^ 0x63757473u);
     if (isLit && wedges.oneIn(3)) addRamps(wedges, scene.world, false, true);
+    Random variants(seed ^ 0x76617269u);
+    if (variants.oneIn(6)) vary(variants, scene.world);
     if (isLit) light(lamps, scene.world);
     stir(seed, scene.world);
     Random smooth(seed ^ 0x736d6f6fu);

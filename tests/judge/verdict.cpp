@@ -332,6 +332,8 @@ Verdict judge(const World& world, const View& view, const Pixel* pixels, int pit
          tracer.sawLight(&LightTracer::sawBelowFloor));
     seen("pictures with light between parts of a mover that do not join",
          tracer.sawLight(&LightTracer::sawMoverApart));
+    seen("pictures with light on a face that is not shown",
+         tracer.sawLight(&LightTracer::sawHiddenFace));
     const auto allowed = std::max(
         kExcusedAtLeast,
         static_cast<std::int64_t>(kExcusedShareOfPicture * static_cast<double>(verdict.pixels)));
