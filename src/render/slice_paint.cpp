@@ -172,12 +172,13 @@ void SlicePainter::paintSky(const Span& span) {
 }
 
 // Adds rows to the run of their side of the horizon. Farther rows of a plane are closer to the
-// horizon, so a run grows towards it.
+// horizon, so a run grows towards it. An underside in the plane of a ceiling may have its look, but
+// has a light of its own.
 void SlicePainter::gather(const Span& span) {
     const bool falls = span.look->plane.rise < 0;
     PlaneRun& run = falls ? falling_ : rising_;
     if ((falls ? run.first == span.last : run.last == span.first) && run.part == span.part &&
-        run.look == span.look) {
+        run.look == span.look && run.level == span.level) {
         (falls ? run.first : run.last) = falls ? span.first : span.last;
         run.tiles.toX = span.tiles.toX;
         run.tiles.toY = span.tiles.toY;

@@ -279,6 +279,35 @@ TEST(Judge, PicturesThatWereWrongOnce) {
     expectNoComplaint(verdict);
 }
 
+// Two faces in one plane that look alike, one behind the other: each has its own light.
+TEST(Judge, ACeilingBehindAnUndersideOfItsLook) {
+    WorldBuilder make;
+    make.texture("grey", {200, 200, 200, 255});
+    make.block('#');
+    Map& map = make.map("hall", 4, 4, 2);
+    make.put('#', 1, 2, 1);
+    make.ceiling(1.0, 0, 2, 3);
+    for (int x = 1; x < 4; ++x) map.ceiling.tiles[map.tileIndex(x, 2)] = kNoTexture;
+    map.light.on = false;
+    map.baked.on = true;
+    map.baked.lamps.push_back(
+        {toCoordinate(2.5), toCoordinate(2.2), toCoordinate(0.5), {.radius = tileEdge(8)}});
+    View view;
+    view.x = toCoordinate(2.9);
+    view.y = toCoordinate(3.6);
+    view.z = toCoordinate(0.3);
+    view.headingDegrees = 220.0;
+    view.look = 0.5;
+    view.width = 320;
+    view.height = 200;
+    Renderer renderer;
+    const Image image = draw(renderer, make.world, view);
+    const Verdict verdict = judge(make.world, view, image.pixels.data(), image.width, "hall");
+    expectNoComplaint(verdict);
+    EXPECT_GE(verdict.coverage.at("lit underside"), 100);
+    EXPECT_GE(verdict.coverage.at("lit ceiling"), 100);
+}
+
 // The judge itself must be able to say no: one pixel of another colour is found.
 TEST(Judge, FindsOneWrongPixel) {
     Renderer renderer;

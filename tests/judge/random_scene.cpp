@@ -399,6 +399,39 @@ void vary(Random& random, World& world) {
     markSeeThrough(world);
 }
 
+// The eye below the ceiling, and round about it blocks whose undersides lie in the ceiling's plane
+// and look as it does, where the map holds nothing special; numbers of their own, so that the rest
+// of the scene stays what it is.
+void hangInCeiling(Random& random, World& world, View& view) {
+    std::vector<bool> isLevel = levelBlueprints(world);
+    isLevel[kEmptyCell] = false;
+    Map& map = world.maps[static_cast<std::size_t>(view.map)];
+    const int level = map.ceiling.height.tile();
+    if (map.ceiling.tiles.empty() || level >= map.levels) return;
+    const auto near = [&](Coordinate eye, int tiles) {
+        return std::clamp(eye.tile() + random.between(-3, 3), 0, tiles - 1);
+    };
+    const int tileX = near(view.x, map.width);
+    const TextureId texture = map.ceiling.tiles[map.tileIndex(tileX, near(view.y, map.depth))];
+    if (texture == kNoTexture) return;
+    view.z = {random.between(1, map.ceiling.height.raw)};
+    CellBlueprint block;
+    block.bottom = map.ceiling.height - tileEdge(level);
+    for (FaceBlueprint& face : block.faces) face.texture = texture;
+    FaceBlueprint& underside = block.faces[static_cast<std::size_t>(Face::bottom)];
+    underside.light = map.ceiling.light;
+    underside.glow = map.ceiling.glow;
+    const auto id = static_cast<BlueprintId>(world.blueprints.size());
+    world.blueprints.push_back(block);
+    isLevel.push_back(false);
+    for (int tries = 0; tries < 12; ++tries) {
+        const int x = near(view.x, map.width);
+        const int y = near(view.y, map.depth);
+        if (!isLevel[map.cell(x, y, level)]) map.setCell(x, y, level, id);
+    }
+    markSeeThrough(world);
+}
+
 // Some worlds have baked light; numbers of their own, so that the rest of the scene stays what it
 // is.
 void light(Random& random, World& world) {
@@ -644,6 +677,9 @@ Scene randomScene(std::uint64_t seed, int width, int height) {
     Random variants(seed ^ 0x76617269u);
     if (variants.oneIn(6)) vary(variants, scene.world);
     if (isLit) light(lamps, scene.world);
+    Random hung(seed ^ 0x68616e67u);
+    if (isLit && scene.world.portals.empty() && hung.oneIn(2))
+        hangInCeiling(hung, scene.world, view);
     stir(seed, scene.world);
     Random smooth(seed ^ 0x736d6f6fu);
     view.smooth = smooth.oneIn(3);
@@ -689,6 +725,9 @@ Scene tieScene(std::uint64_t seed, int width, int height) {
     Random variants(seed ^ 0x76617269u);
     if (variants.oneIn(6)) vary(variants, scene.world);
     if (isLit) light(lamps, scene.world);
+    Random hung(seed ^ 0x68616e67u);
+    if (isLit && scene.world.portals.empty() && hung.oneIn(2))
+        hangInCeiling(hung, scene.world, view);
     stir(seed, scene.world);
     Random smooth(seed ^ 0x736d6f6fu);
     view.smooth = smooth.oneIn(3);
