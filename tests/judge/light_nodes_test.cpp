@@ -119,7 +119,9 @@ TEST(LightNodes, AreThoseOfTheDefinitionUnderManyLamps) {
                 map.baked.lamps.push_back(
                     {x, y, z, {.strength = 0.05, .radius = tileEdge(1 + random.below(6))}});
             }
-            compareMap(scene.world, map, counts);
+            LitMap lit;
+            lit.beginFrame(scene.world, map);
+            compareMap(scene.world, map, lit, counts);
         }
     }
     EXPECT_EQ(counts.wrong, 0);

@@ -432,6 +432,20 @@ void hangInCeiling(Random& random, World& world, View& view) {
     markSeeThrough(world);
 }
 
+// More lamps than light one place, within a few tiles.
+void crowdLamps(Random& random, Map& map) {
+    if (!map.baked.on) return;
+    const auto place = [&](int units) { return Coordinate{random.between(0, units * 4) << 14}; };
+    for (int i = random.between(70, 150); i > 0; --i) {
+        Lamp lamp = {place(std::min(map.width, 6)), place(std::min(map.depth, 6)),
+                     place(std::min(map.levels, 4)), {}};
+        lamp.kind.colour = anyColour(random);
+        lamp.kind.strength = random.between(0.02, 0.2);
+        lamp.kind.radius = {random.between(65536, 6 * 65536)};
+        map.baked.lamps.push_back(lamp);
+    }
+}
+
 // Some worlds have baked light; numbers of their own, so that the rest of the scene stays what it
 // is.
 void light(Random& random, World& world) {
@@ -476,6 +490,7 @@ void light(Random& random, World& world) {
                 face.lamp = static_cast<LampId>(random.below(3));
         }
     }
+    if (random.oneIn(24)) crowdLamps(random, world.maps[0]);
 }
 
 // Some of the still blocks become water, which may lack faces; numbers of their own, so that the
