@@ -21,7 +21,8 @@ static_assert(static_cast<int>(Seen::side) == static_cast<int>(What::side) &&
               static_cast<int>(Seen::ceiling) == static_cast<int>(What::ceiling) &&
               static_cast<int>(Seen::sky) == static_cast<int>(What::sky) &&
               static_cast<int>(Seen::haze) == static_cast<int>(What::haze) &&
-              static_cast<int>(Seen::object) == static_cast<int>(What::object));
+              static_cast<int>(Seen::object) == static_cast<int>(What::object) &&
+              static_cast<int>(Seen::object) + 1 == static_cast<int>(FilledRows::kWhats));
 using Told = GameNews::Kind;
 static_assert(static_cast<int>(Told::message) == static_cast<int>(QuestNews::Kind::message) &&
               static_cast<int>(Told::find) == static_cast<int>(QuestNews::Kind::find) &&

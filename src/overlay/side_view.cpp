@@ -325,6 +325,7 @@ void drawPortals(const SliceTrace& trace, const World& world, const SidePlot& pl
 }
 
 bool isSeen(const SliceTrace& trace, FilledRows::What what) {
+    if (what == FilledRows::What::object) return !trace.objects.empty();
     const auto among = [what](const std::vector<FilledRows>& filled) {
         return std::any_of(filled.begin(), filled.end(),
                            [what](const FilledRows& rows) { return rows.what == what; });
@@ -339,7 +340,6 @@ public:
     explicit Legend(const SliceTrace& trace) {
         for (const SliceKind& kind : sliceKinds())
             add(isSeen(trace, kind.what), kind.name, kind.colour);
-        add(!trace.objects.empty(), "object", kObjectColour);
         add(!trace.portals.empty(), "portal", kPortalColour);
         add(!trace.mirrors.empty(), "mirror", kMirrorColour);
     }
@@ -367,7 +367,7 @@ private:
         if (isThere) entries_[static_cast<std::size_t>(count_++)] = {name, colour};
     }
 
-    std::array<Entry, 10> entries_{};
+    std::array<Entry, FilledRows::kWhats + 2> entries_{};
     int count_ = 0;
 };
 

@@ -18,12 +18,13 @@ constexpr auto kKinds = std::to_array<SliceKind>({
     {FilledRows::What::ceiling, "ceiling", {255, 158, 188, 255}},
     {FilledRows::What::sky, "sky", {112, 178, 255, 255}},
     {FilledRows::What::haze, "haze", {186, 192, 200, 255}},
+    {FilledRows::What::object, "object", kObjectColour},
 });
 static_assert([] {
     for (std::size_t i = 0; i < kKinds.size(); ++i) {
         if (kKinds[i].what != static_cast<FilledRows::What>(i)) return false;
     }
-    return true;
+    return kKinds.size() == FilledRows::kWhats;
 }());
 
 }  // namespace

@@ -6,6 +6,7 @@
 #include "world/blueprint.h"
 
 #include <array>
+#include <cstddef>
 #include <cstdint>
 #include <span>
 #include <vector>
@@ -29,6 +30,8 @@ inline constexpr int kMostDetails = 11;
 // Rows [first, last) of a slice that one face, plane or object filled.
 struct FilledRows {
     enum class What : std::uint8_t { side, roof, underside, floor, ceiling, sky, haze, object };
+    // The number of kinds, for tables of all of them.
+    static constexpr std::size_t kWhats = static_cast<std::size_t>(What::object) + 1;
     What what = What::side;
     Face face = Face::top;  // for side, roof and underside
     int first = 0;

@@ -15,10 +15,12 @@ namespace slicecast {
 namespace {
 
 using What = FilledRows::What;
+constexpr std::size_t kWhats = FilledRows::kWhats;
 
-constexpr auto kOpaqueKinds = std::to_array<What>(
-    {What::side, What::roof, What::underside, What::floor, What::ceiling, What::sky, What::haze});
-static_assert(kOpaqueKinds.back() == What{kOpaqueKinds.size() - 1}, "must be in the order of What");
+constexpr auto kKinds = std::to_array<What>({What::side, What::roof, What::underside, What::floor,
+                                             What::ceiling, What::sky, What::haze, What::object});
+static_assert(kKinds.size() == kWhats && kKinds.back() == What{kWhats - 1},
+              "must be in the order of What, and whole");
 
 bool hasTexture(const FilledRows& rows) {
     return rows.texture != kNoTexture;
@@ -194,7 +196,7 @@ struct Sums {
     std::vector<double> tiles;
     std::vector<double> hits;
     std::vector<double> layers;
-    std::array<std::vector<double>, kOpaqueKinds.size()> rows;
+    std::array<std::vector<double>, kKinds.size()> rows;
     std::array<std::vector<std::array<std::int64_t, kMostDetails>>, 2>
         texels;  // by texture and sprite
 };
@@ -309,7 +311,7 @@ std::string frameTraceJson(Session& session, const std::string& sceneName, int w
     writeColumns(json, "tiles", sums.tiles);
     writeColumns(json, "hits", sums.hits);
     json.line(2).key("rows").beginObject();
-    for (const What what : kOpaqueKinds)
+    for (const What what : kKinds)
         writeColumns(json, nameOf(what), sums.rows[static_cast<std::size_t>(what)]);
     json.endObject();
     writeColumns(json, "layers", sums.layers);

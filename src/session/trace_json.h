@@ -62,7 +62,10 @@
 //                    "tiles": [number, ...],      walked
 //                    "hits": [number, ...],       blocks on the way, seen or not
 //                    "rows": { "side": [number, ...], "roof", "underside", "floor", "ceiling",
-//                              "sky", "haze" },   opaque rows; they add up to the height
+//                              "sky", "haze",       opaque rows; they add up to the height
+//                              "object" },          none by the exact method, where objects are
+//                                                   layers; by the classic one an opaque texel of
+//                                                   an object ends its row
 //                    "layers": [number, ...] } }  rows of see-through runs and objects
 //
 // The numbers are of the method that draws the column (option "method" or "compare"); the totals of

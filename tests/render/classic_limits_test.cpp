@@ -3,6 +3,7 @@
 
 #include <gtest/gtest.h>
 
+#include <cmath>
 #include <vector>
 
 namespace slicecast::known {
@@ -74,6 +75,78 @@ TEST(Classic, AnyMixtureCanBeDrawn) {
         ASSERT_FALSE(image.empty());
         for (const Pixel pixel : image.pixels) ASSERT_EQ(toColour(pixel).a, 255);
     }
+}
+
+using What = FilledRows::What;
+
+// Finite, in front of the eye, and of its texture.
+void checkTexel(const World& world, const FilledRows& run, const TracedTexel& texel) {
+    ASSERT_TRUE(texel.depth > 0.0 && texel.depth < 1e9) << texel.depth;
+    const bool isObject = run.what == What::object;
+    const SpriteLevel* sprite =
+        isObject ? &world.sprites[run.texture].frames[0][static_cast<std::size_t>(texel.detail)]
+                 : nullptr;
+    const TextureLevel* texture =
+        isObject ? nullptr
+                 : &world.textures[run.texture].levels[static_cast<std::size_t>(texel.detail)];
+    ASSERT_TRUE(texel.u >= 0 && texel.u < (isObject ? sprite->width : texture->size));
+    ASSERT_TRUE(texel.v >= 0 && texel.v < (isObject ? sprite->height : texture->size));
+}
+
+// Coarse pixels in narrow pictures, whose middles lie beyond the picture's edge; tables of a few
+// sines; seams beside the horizon, which goes through the middle of a row of each odd picture.
+// Whatever is divided by is not zero, and what becomes a whole number is one.
+TEST(Classic, DividesByNothingNearZero) {
+    Random random(6);
+    const World worlds[] = {featureWorld(1), featureWorld(2), featureWorld(4), featureWorld(7)};
+    int objects = 0;
+    for (int width = 1; width <= 64; ++width) {
+        for (int i = 0; i < 18; ++i) {
+            const World& world = worlds[random.below(4)];
+            constexpr int kPixelSizes[] = {1, 2, 3, 8, 63, 64};
+            constexpr int kSineSteps[] = {0, 1, 2, 3, 4, 5, 8, 360};
+            const ClassicOptions classic = {.projection = static_cast<ClassicProjection>(i % 3),
+                                            .march = random.oneIn(4),
+                                            .stepSize = 0.25,
+                                            .stretched = random.oneIn(3),
+                                            .seams = random.oneIn(2),
+                                            .paintersOrder = random.oneIn(4),
+                                            .oneLevel = random.oneIn(6),
+                                            .noOwnCell = random.oneIn(4),
+                                            .driftingHorizon = random.oneIn(6),
+                                            .wrongScale = random.oneIn(4),
+                                            .flippedMirrors = random.oneIn(4),
+                                            .portalsOverdrawn = random.oneIn(4),
+                                            .sineSteps = kSineSteps[random.below(8)],
+                                            .pixelSize = kPixelSizes[i % 6]};
+            const Eye eye = {.map = 0,
+                             .x = {random.between(0, 10 * 65536)},
+                             .y = {random.between(0, 9 * 65536)},
+                             .z = {random.between(1, 5 * 65536)},
+                             .headingDegrees = random.oneIn(2) ? 90.0 * random.below(4)
+                                                               : random.between(0.0, 360.0),
+                             .look = random.oneIn(2) ? 0.0 : random.between(-1.0, 1.0)};
+            const RenderOptions options = {.fovDegrees =
+                                               random.oneIn(2) ? kMaxFovDegrees : kMinFovDegrees};
+            const int height = random.between(1, 40);
+            ASSERT_FALSE(drawOld(world, eye, width, height, classic, options).image.empty());
+            const ColumnRequest request = {width, height, random.below(width),
+                                           random.below(height)};
+            const SliceTrace trace = traceClassic(world, eye, options, classic, request);
+            std::vector<int> times(static_cast<std::size_t>(height));
+            for (const FilledRows& run : trace.filled) {
+                for (int row = run.first; row < run.last && !run.layer; ++row)
+                    ++times[static_cast<std::size_t>(row)];
+                objects += run.what == What::object ? 1 : 0;
+                if (run.texture == kNoTexture) continue;
+                ASSERT_NO_FATAL_FAILURE(checkTexel(world, run, run.top)) << width << ", " << i;
+                ASSERT_NO_FATAL_FAILURE(checkTexel(world, run, run.bottom)) << width << ", " << i;
+            }
+            ASSERT_EQ(times, std::vector<int>(times.size(), 1));
+            ASSERT_TRUE(std::isfinite(trace.rayX) && std::isfinite(trace.rayY));
+        }
+    }
+    EXPECT_GT(objects, 20);
 }
 
 }  // namespace

@@ -67,7 +67,10 @@ ColumnRay View::rayAt(double x) const {
         ray.azimuthDegrees = headingDegrees + atanDegrees(slope);
         return ray;
     }
-    const double angle = sideways * fovDegrees / width;
+    // The middle of a coarse pixel may lie beyond the picture's edge. It looks no further aside
+    // than the widest picture, so neither cosine is ever near 0.
+    constexpr double kMostAside = kMaxFovDegrees / 2.0;
+    const double angle = std::clamp(sideways * fovDegrees / width, -kMostAside, kMostAside);
     ray.azimuthDegrees = headingDegrees + angle;
     ray.x = table.cosine(ray.azimuthDegrees);
     ray.y = table.sine(ray.azimuthDegrees);

@@ -27,7 +27,8 @@ struct SineTable {
 struct ColumnRay {
     double x = 0.0;  // direction
     double y = 0.0;
-    double length = 1.0;         // of that direction, units
+    double length = 1.0;  // of that direction, units
+    // Both are at least the cosine of half the widest view, so that anything may be divided by them
     double depthPerAlong = 1.0;  // factor from `along` to the depth for heights and light
     double ahead =
         1.0;  // factor from `along` to units along the eye's heading; for meeting objects
@@ -61,7 +62,7 @@ struct View {
     double upwardSlopeAt(double y) const { return up * (horizon - y) / distance; }
     // The row of a height at a depth; infinitely high or low at depth 0.
     double rowOf(double z, double depth) const;
-    // The depth of a horizontal plane in a row other than the horizon's.
+    // The depth of a horizontal plane in a row on its side of the horizon.
     double depthOfPlane(double z, double y) const {
         return (z - eyeZ) * distance / (up * (horizon - y));
     }

@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstdint>
 #include <limits>
 
 namespace slicecast::classic {
@@ -41,8 +42,9 @@ void gatherObjects(const Scenery& scenery, std::vector<Surface>& surfaces) {
         surface.textureTop = surface.textureBottom + object.height.value();
         surface.stretch = stretch;
         surface.u = u;
-        surface.side = sideTowards(object, toCoordinate(view.eyeX).raw - object.x.raw,
-                                   toCoordinate(view.eyeY).raw - object.y.raw);
+        // Wider than a coordinate: behind portals the eye may be far outside the grid
+        surface.side = sideTowards(object, std::int64_t{toCoordinate(view.eyeX).raw} - object.x.raw,
+                                   std::int64_t{toCoordinate(view.eyeY).raw} - object.y.raw);
         const double z = (surface.textureBottom + surface.textureTop) / 2.0 - view.eyeZ;
         surface.thingDistance = x * x + y * y + z * z;
         const double top = view.rowOf(surface.textureTop, depth * stretch);

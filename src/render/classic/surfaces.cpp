@@ -245,6 +245,11 @@ private:
         return x * x + y * y + z * z;
     }
 
+    // Whether the ray of a row meets a horizontal plane ahead: not at the horizon, nor beyond it.
+    bool meetsPlane(double height, int row) const {
+        return (height - view_.eyeZ) * view_.upwardSlopeAt(rows_.middle(row)) > 0.0;
+    }
+
     // Adds the rows between two edges in the picture, in either order.
     void add(Surface& surface, double a, double b) {
         surface.firstRow = rows_.firstBelow(std::min(a, b));
@@ -255,11 +260,13 @@ private:
                 ++surface.firstRow;
                 surface.lastRow = std::min(surface.lastRow, rows_.rows - 1);
             } else {
-                surface.lastRow = std::min(surface.lastRow + 1, rows_.rows);
+                if (surface.lastRow < rows_.rows && meetsPlane(surface.height, surface.lastRow))
+                    ++surface.lastRow;
                 surface.nearest = 0.0;
             }
         }
-        surfaces_.push_back(surface);
+        // A side of one row is all seam
+        if (surface.firstRow < surface.lastRow) surfaces_.push_back(surface);
     }
 
     const World& world_;

@@ -41,7 +41,7 @@ struct Surface {
     int tileY = 0;
     int block = -1;    // index into the blocks met
     int object = -1;   // index into Map::objects
-    int firstRow = 0;  // it covers [firstRow, lastRow)
+    int firstRow = 0;  // it covers [firstRow, lastRow), at least one row
     int lastRow = 0;
     double along = 0.0;       // of upright things: position on the ray
     double nearest = 0.0;     // least depth of any of its points
