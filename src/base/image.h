@@ -21,7 +21,9 @@ struct DecodedImage {
 std::int64_t pixelsOfPng(std::span<const std::uint8_t> bytes);
 
 // Reads a PNG of at most maxWidth x maxHeight pixels; the size is checked before any pixel memory
-// is taken. With `blank`, decodes nothing: gives an image of that size for the caller to fill.
+// is taken. A pixel of a colour that the palette lacks is a fault: the PNG specification calls such
+// a file an error (11.2.2), and leaves open what is shown. With `blank`, decodes nothing: gives an
+// image of that size for the caller to fill.
 DecodedImage decodePng(std::span<const std::uint8_t> bytes, int maxWidth, int maxHeight,
                        bool blank = false);
 
