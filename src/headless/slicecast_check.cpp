@@ -1,6 +1,7 @@
 // slicecast-check: prints all faults of scenes, and warnings about probable mistakes.
 
 #include "base/words.h"
+#include "files/print_line.h"
 #include "files/scene_file.h"
 #include "files/write_file.h"
 #include "scene/unreached.h"
@@ -40,17 +41,18 @@ int main(int argc, char** argv) {
     bool allOk = true;
     for (const std::string& name : scenes) {
         const LoadedScene scene = readSceneFile(name);
-        for (const Fault& fault : scene.faults) std::printf("%s\n", describe(fault).c_str());
+        for (const Fault& fault : scene.faults) printLine(stdout, describe(fault));
         std::int64_t count = 0;
         for (const std::vector<Fault>& warnings : {scene.warnings, findUnreached(scene)}) {
             for (const Fault& warning : warnings) {
-                std::fprintf(stderr, "warning: %s\n", describe(warning).c_str());
+                printLine(stderr, {"warning: ", describe(warning)});
                 ++count;
             }
         }
         if (scene.world) {
-            std::printf("%s: ok%s\n", name.c_str(),
-                        count == 0 ? "" : words(", ", Counted{count, "warning"}).c_str());
+            printLine(stdout,
+                      {name, ": ok",
+                       count == 0 ? std::string() : words(", ", Counted{count, "warning"})});
         } else {
             allOk = false;
         }

@@ -2,6 +2,7 @@
 // column meets, or how it was drawn.
 
 #include "base/image.h"
+#include "files/print_line.h"
 #include "files/recording_file.h"
 #include "files/scene_file.h"
 #include "files/write_file.h"
@@ -114,7 +115,7 @@ void describeArguments(CLI::App& cli, Arguments& arguments) {
 constexpr const char* kProgram = "slicecast-render";
 
 int fail(const std::string& fault, int status) {
-    std::fprintf(stderr, "%s: %s\n", kProgram, fault.c_str());
+    printLine(stderr, {kProgram, ": ", fault});
     return status;
 }
 
@@ -169,7 +170,7 @@ int play(Session& session, const Arguments& arguments) {
             "--replay: cannot be used with --eye or --map, because the recording moves the player",
             kWrongUse);
     ReadRecording read = readRecordingFile(arguments.replay);
-    for (const Fault& fault : read.faults) std::fprintf(stderr, "%s\n", describe(fault).c_str());
+    for (const Fault& fault : read.faults) printLine(stderr, describe(fault));
     if (!read.recording) return 1;
     const std::string scene = std::filesystem::path(arguments.scene).stem().string();
     if (read.recording->scene != scene) {
@@ -232,9 +233,8 @@ int main(int argc, char** argv) {
 
     // The scene
     LoadedScene scene = readSceneFile(arguments.scene);
-    for (const Fault& fault : scene.faults) std::fprintf(stderr, "%s\n", describe(fault).c_str());
-    for (const Fault& warning : scene.warnings)
-        std::fprintf(stderr, "warning: %s\n", describe(warning).c_str());
+    for (const Fault& fault : scene.faults) printLine(stderr, describe(fault));
+    for (const Fault& warning : scene.warnings) printLine(stderr, {"warning: ", describe(warning)});
     if (!scene.world) return 1;
     Session session(std::move(*scene.world));
     const std::string wrong = arrange(session, arguments);

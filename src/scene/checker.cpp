@@ -36,7 +36,7 @@ std::string quoted(std::string_view text) {
         const char32_t c = takeCodePoint(text, offset);
         if (c == '"' || c == '\\') shown += '\\';
         // Control characters would break the line that the message stands on.
-        shown += c < 0x20 || c == 0x7f ? std::string("?") : toUtf8(c);
+        shown += c < 0x20 || (c >= 0x7f && c < 0xa0) ? std::string("?") : toUtf8(c);
     }
     return shown + (offset < text.size() ? "...\"" : "\"");
 }

@@ -1,3 +1,4 @@
+#include "base/printable.h"
 #include "base/words.h"
 #include "scene/scene.h"
 
@@ -12,7 +13,7 @@ std::string describe(const Fault& fault) {
         add(text, ")");
     }
     add(text, {": found ", fault.found, ", expected ", fault.expected});
-    return text;
+    return printable(text);
 }
 
 }  // namespace slicecast

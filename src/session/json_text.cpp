@@ -77,13 +77,24 @@ JsonText& JsonText::null() {
 
 void JsonText::quote(std::string_view value) {
     out_ += '"';
-    for (const char c : value) {
+    const auto escape = [&](unsigned char c) {
+        out_ += "\\u";
+        out_ += std::string_view(hexText(c, 4));
+    };
+    for (std::size_t i = 0; i < value.size(); ++i) {
+        const char c = value[i];
+        const auto byte = static_cast<unsigned char>(c);
+        const unsigned char next =
+            i + 1 < value.size() ? static_cast<unsigned char>(value[i + 1]) : 0;
         if (c == '"' || c == '\\') {
             out_ += '\\';
             out_ += c;
-        } else if (static_cast<unsigned char>(c) < 0x20) {
-            out_ += "\\u";
-            out_ += std::string_view(hexText(static_cast<unsigned char>(c), 4));
+        } else if (byte < 0x20 || byte == 0x7f) {
+            escape(byte);
+        } else if (byte == 0xc2 && next >= 0x80 && next < 0xa0) {
+            // JSON allows these control characters, but a terminal obeys them
+            escape(next);
+            ++i;
         } else {
             out_ += c;
         }

@@ -56,6 +56,23 @@ TEST(CheckProgram, WarnsOfWhatNobodyReaches) {
               std::string::npos);
 }
 
+// Whatever a scene and its file are named: a terminal would obey control characters.
+TEST(CheckProgram, PrintsNoControlCharacters) {
+    const TestFolder folder;
+    const std::string path = (folder / "\x1b]0;file\x07.json").string();
+    writeText(path, R"({
+        "title": "\u001b]0;title\u0007",
+        "textures": { "\u001b]52;c;cHduZWQ=\u0007": "nope.jpg", "b": "x\u009b31m\u007f.png" },
+        "maps": [ { "name": "\u009b31m", "levels": [["..."]], "floor": "\u001b[31mnope" } ],
+        "start": { "x": 1.5, "y": 0.5 },
+        "\u001b[5mkey": 1
+    })");
+    const Finished finished = runProgram(SLICECAST_CHECK, {path});
+    EXPECT_EQ(finished.status, 1);
+    EXPECT_NE(finished.out.find("(/textures/?]52;c;cHduZWQ=?)"), std::string::npos) << finished.out;
+    EXPECT_EQ(controlCharacters(finished.out + finished.err), 0);
+}
+
 TEST(CheckProgram, NeedsAScene) {
     const Finished finished = runProgram(SLICECAST_CHECK, {});
     EXPECT_EQ(finished.status, 2);

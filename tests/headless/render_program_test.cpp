@@ -68,6 +68,33 @@ std::string corridor(const TestFolder& folder) {
     return path;
 }
 
+TEST(RenderProgram, PrintsNoControlCharacters) {
+    const TestFolder folder;
+    std::filesystem::copy_file(SLICECAST_SOURCE_FOLDER "/tests/scene/broken/images/tile.png",
+                               folder / "tile.png");
+    const std::string path = (folder / "\x1b]0;file\x07.json").string();
+    writeText(path, R"({
+        "title": "\u001b]0;title\u0007",
+        "textures": { "\u009b31m": "tile.png" },
+        "maps": [ { "name": "\u009b31m\u007f", "levels": [["..."]], "floor": "\u009b31m" } ],
+        "start": { "map": "\u009b31m\u007f", "x": 1.5, "y": 0.5 }
+    })");
+    const Finished hits = render({path, "--hits", "0"});
+    EXPECT_EQ(hits.status, 0) << hits.err;
+    EXPECT_EQ(controlCharacters(hits.out + hits.err), 0);
+    rapidjson::Document json;
+    json.Parse(hits.out.c_str());
+    ASSERT_FALSE(json.HasParseError());
+    EXPECT_STREQ(json["map"].GetString(), "\u009b31m\u007f");
+    EXPECT_EQ(json["scene"].GetString(), path);
+
+    const Finished noMap = render({path, "--map", "cellar", "--hits", "0"});
+    EXPECT_EQ(noMap.status, 2);
+    EXPECT_NE(noMap.err.find("expected a map of this scene: \"?31m?\""), std::string::npos)
+        << noMap.err;
+    EXPECT_EQ(controlCharacters(noMap.err), 0);
+}
+
 TEST(RenderProgram, DrawsTheStartAsThePlayerSeesIt) {
     const TestFolder folder;
     const Finished finished =

@@ -33,6 +33,17 @@ Finished runProgram(const std::string& program, const std::vector<std::string>& 
             readText(folder / "err")};
 }
 
+int controlCharacters(const std::string& text) {
+    int count = 0;
+    for (std::size_t i = 0; i < text.size(); ++i) {
+        const auto byte = static_cast<unsigned char>(text[i]);
+        const bool isLong =
+            byte == 0xc2 && i + 1 < text.size() && static_cast<unsigned char>(text[i + 1]) < 0xa0;
+        if ((byte < 0x20 && byte != '\n') || byte == 0x7f || isLong) ++count;
+    }
+    return count;
+}
+
 std::string readText(const std::filesystem::path& path) {
     std::ifstream file(path, std::ios::binary);
     return {std::istreambuf_iterator<char>(file), std::istreambuf_iterator<char>()};

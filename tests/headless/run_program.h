@@ -21,6 +21,9 @@ struct Finished {
 Finished runProgram(const std::string& program, const std::vector<std::string>& arguments,
                     const std::string& output = {});
 
+// How many characters of a text steer a terminal; ends of lines do not count.
+int controlCharacters(const std::string& text);
+
 std::string readText(const std::filesystem::path& path);
 void writeText(const std::filesystem::path& path, const std::string& text);
 

@@ -20,7 +20,7 @@ struct Fault {
 };
 
 // "castle.json:12:5 (/maps/0/levels/1/3, row 3, character 7): found 'Q', expected a character of
-// the legend ..."
+// the legend ..." For a terminal: control characters of names and of the file are shown as "?".
 std::string describe(const Fault& fault);
 
 }  // namespace slicecast
