@@ -6,15 +6,18 @@
 #include "app/find_scene.h"
 #include "app/thread_crew.h"
 #include "app/window_shell.h"
+#include "files/print_line.h"
 #include "files/recording_file.h"
 #include "files/scene_file.h"
 #include "files/write_file.h"
 
 #include <cstdio>
+#include <cstdlib>
 #include <memory>
 #include <optional>
 #include <string>
 #include <utility>
+#include <vector>
 
 using namespace slicecast;
 
@@ -23,9 +26,9 @@ namespace {
 // A game of that scene, drawn by the crew. Prints all faults; null if the scene cannot be played.
 std::unique_ptr<Session> openGame(const std::filesystem::path& scene, Crew& crew) {
     LoadedScene loaded = readSceneFile(scene);
-    for (const Fault& fault : loaded.faults) std::fprintf(stderr, "%s\n", describe(fault).c_str());
+    for (const Fault& fault : loaded.faults) printLine(stderr, describe(fault));
     for (const Fault& warning : loaded.warnings)
-        std::fprintf(stderr, "warning: %s\n", describe(warning).c_str());
+        printLine(stderr, {"warning: ", describe(warning)});
     if (!loaded.world) return nullptr;
     auto game = std::make_unique<Session>(std::move(*loaded.world));
     game->renderer().setCrew(&crew);
@@ -57,14 +60,14 @@ std::string windowTitle(const Session& game) {
 }
 
 int fail(const std::string& fault) {
-    std::fprintf(stderr, "slicecast: %s\n", fault.c_str());
+    printLine(stderr, {"slicecast: ", fault});
     return 1;
 }
 
 // The recording to replay. Prints all faults; empty if there are any.
 std::optional<Recording> openRecording(const std::filesystem::path& file) {
     ReadRecording read = readRecordingFile(file);
-    for (const Fault& fault : read.faults) std::fprintf(stderr, "%s\n", describe(fault).c_str());
+    for (const Fault& fault : read.faults) printLine(stderr, describe(fault));
     return std::move(read.recording);
 }
 
@@ -75,30 +78,66 @@ std::filesystem::path programFolder() {
     return path;
 }
 
-// The current recording and the file that it is written to.
+// The current recording and the file that it is written to: the one of the command line, else one
+// in the current folder. If that cannot be written, a file of the same name in the home folder.
 class RecordingFile {
 public:
-    RecordingFile(App& app, std::string file) : app_(app), file_(std::move(file)) {}
+    RecordingFile(App& app, WindowShell& shell, std::string file)
+        : app_(app), shell_(shell), file_(std::move(file)) {}
 
-    void begin(const std::filesystem::path& scene) {
+    // Looks for a place for the recording of a scene, before anything is played in vain. Says so if
+    // it is another one than usual. False, with the reason in the window, if there is none.
+    bool prepare(const std::filesystem::path& scene) {
         scene_ = scene.stem().string();
-        app_.record(scene_);
+        places_ = {file_.empty() ? scene_ + "-recording.txt" : file_};
+        const char* home = std::getenv("HOME");
+        if (home != nullptr && *home != '\0') {
+            const std::filesystem::path name = std::filesystem::path(places_[0]).filename();
+            places_.push_back((std::filesystem::path(home) / name).string());
+        }
+        std::string fault;
+        while (!places_.empty()) {
+            const std::string why = whyNotWritable(places_[0]);
+            if (why.empty()) break;
+            if (fault.empty()) fault = why;
+            places_.erase(places_.begin());
+        }
+        if (places_.empty()) {
+            complain("cannot record: " + fault);
+        } else if (!fault.empty()) {
+            complain(fault + "; the recording goes to \"" + places_[0] + '"');
+        }
+        return !places_.empty();
     }
-    // Writes the recording, if there is one. False on failure.
+    void begin() { app_.record(scene_); }
+
+    // Writes the recording, if there is one. False if it is not where it was expected.
     bool save() {
         const std::optional<Recording> recording = app_.takeRecording();
         if (!recording) return true;
-        const std::string file = file_.empty() ? scene_ + "-recording.txt" : file_;
-        const std::string fault = writeWholeFile(file, writeRecording(*recording));
-        if (!fault.empty()) return fail(fault) == 0;
-        std::printf("%s: %lld steps\n", file.c_str(), static_cast<long long>(recording->steps));
-        return true;
+        const std::string text = writeRecording(*recording);
+        for (const std::string& place : places_) {
+            const std::string fault = writeWholeFile(place, text);
+            if (fault.empty()) {
+                printLine(stdout, {place, ": ", recording->steps, " steps"});
+                return &place == places_.data();
+            }
+            complain(fault);
+        }
+        return false;
     }
 
 private:
+    void complain(const std::string& fault) {
+        fail(fault);
+        shell_.showMessage(fault);
+    }
+
     App& app_;
+    WindowShell& shell_;
     std::string file_;
     std::string scene_;
+    std::vector<std::string> places_;  // to try in turn
 };
 
 }  // namespace
@@ -107,6 +146,11 @@ int main(int argc, char** argv) {
     const ReadArguments read = readArguments(argc, argv);
     if (!read.arguments) return read.exitStatus;
     const Arguments& arguments = *read.arguments;
+
+    if (!arguments.record.empty()) {
+        const std::string fault = whyNotWritable(arguments.record);
+        if (!fault.empty()) return fail("--record: " + fault);
+    }
 
     // The scene
     std::filesystem::path scene = arguments.scene;
@@ -136,11 +180,11 @@ int main(int argc, char** argv) {
     WindowShell shell(arguments.window);
     App app(shell);
     app.setKeys(arguments.keys);
-    RecordingFile file(app, arguments.record);
+    RecordingFile file(app, shell, arguments.record);
     const std::string title = windowTitle(*game);
     Session& first = *game;
     app.play(std::move(game));
-    if (!arguments.record.empty()) file.begin(scene);
+    if (!arguments.record.empty() && file.prepare(scene)) file.begin();
     const std::string fault = applyArguments(first, arguments);
     if (!fault.empty()) return fail(fault);
     if (replay) app.replay(std::move(*replay));
@@ -160,8 +204,8 @@ int main(int argc, char** argv) {
               [&] {
                   if (app.isRecording()) {
                       file.save();
-                  } else if (open(scene)) {
-                      file.begin(scene);
+                  } else if (file.prepare(scene) && open(scene)) {
+                      file.begin();
                   }
               });
     return file.save() ? 0 : 1;

@@ -10,6 +10,7 @@
 #include <algorithm>
 #include <array>
 #include <cstdio>
+#include <cstdlib>
 #include <utility>
 
 namespace slicecast {
@@ -73,6 +74,13 @@ WindowShell::~WindowShell() {
 std::string WindowShell::open(App& app, const std::string& title) {
     app_ = &app;
     if (SDL_Init(SDL_INIT_VIDEO) != 0) return sdlFault("cannot use a screen");
+    // Where there is no display, SDL falls back to drivers that show nothing. Whoever wants one, as
+    // tests do, names it.
+    const std::string driver = SDL_GetCurrentVideoDriver();
+    const char* asked = std::getenv("SDL_VIDEODRIVER");
+    if ((driver == "offscreen" || driver == "dummy") && (asked == nullptr || *asked == '\0'))
+        return words("cannot use a screen: found none, and SDL's driver \"", driver,
+                     "\" would draw unseen; expected a desktop (DISPLAY or WAYLAND_DISPLAY)");
     const Size size = settings_.picture.value_or(kFirstWindow);
     const Uint32 flags =
         SDL_WINDOW_HIDDEN | SDL_WINDOW_RESIZABLE | (settings_.fullscreen ? kFullscreen : 0u);
@@ -233,14 +241,18 @@ void WindowShell::tell(News news, bool yes) {
     }
 }
 
+void WindowShell::showMessage(const std::string& text) {
+    constexpr double kReadingSeconds = 5.0;
+    message_ = wrapped(text, kMessageWidth);
+    messageEnd_ = nowSeconds() + kReadingSeconds;
+    if (app_ != nullptr) app_->redraw();
+}
+
 // The last text of the news, and how many finds are taken.
 void WindowShell::showNews() {
-    constexpr double kReadingSeconds = 5.0;
     Session& game = *app_->game();
     for (const QuestNews& news : game.takeNews()) {
-        if (news.text.empty()) continue;
-        message_ = wrapped(news.text, kMessageWidth);
-        messageEnd_ = nowSeconds() + kReadingSeconds;
+        if (!news.text.empty()) showMessage(news.text);
     }
     taken_ = game.world().quest.taken;
     finds_ = static_cast<int>(game.world().quest.finds.size());

@@ -41,6 +41,8 @@ public:
              const std::function<void()>& record);
 
     void setTitle(const std::string& title);
+    // For some seconds, in the window.
+    void showMessage(const std::string& text);
 
     double nowSeconds() const override;
     void show(SDL_Surface& picture) override;
@@ -87,7 +89,7 @@ private:
     bool recordAsked_ = false;
     std::size_t helpPage_ = kNoPage;
     bool showsRate_ = false;
-    std::string message_;      // of the world's game
+    std::string message_;      // of the world's game or the program
     double messageEnd_ = 0.0;  // when it disappears, by nowSeconds
     int taken_ = 0;            // finds
     int finds_ = 0;            // of the world; 0 shows no count

@@ -27,13 +27,18 @@ int writeBytes(const fs::path& path, std::span<const std::uint8_t> bytes, Prepar
     return fault;
 }
 
+// The name of a temporary file beside `path`. Two programs that write the same file at once use
+// different ones.
+fs::path partBeside(fs::path path) {
+    path += ".part-" + std::to_string(std::random_device{}());
+    return path;
+}
+
 // Writes a temporary file beside `path` and renames it when all is written. 0 on success, else
 // errno.
 int replaceFile(const fs::path& path, const fs::file_status& old,
                 std::span<const std::uint8_t> bytes) {
-    // Two programs that write the same file at once use different temporary files.
-    fs::path part = path;
-    part += ".part-" + std::to_string(std::random_device{}());
+    const fs::path part = partBeside(path);
     std::error_code error;
     int fault = writeBytes(part, bytes, [&] {
         if (fs::exists(old)) fs::permissions(part, old.permissions(), error);
@@ -55,17 +60,39 @@ fs::path followLinks(fs::path path) {
     return path;
 }
 
+bool isFileOrNothing(const fs::file_status& status) {
+    return fs::is_regular_file(status) || status.type() == fs::file_type::not_found;
+}
+
+std::string isFolder(const std::string& path) {
+    return "\"" + path + "\" is a folder; expected the name of a file";
+}
+
+// Empty without a fault.
+std::string cannotBeWritten(const std::string& path, int fault) {
+    return fault == 0 ? std::string() : "\"" + path + "\" cannot be written: " + reason(fault);
+}
+
 }  // namespace
 
 std::string writeWholeFile(const std::string& path, std::span<const std::uint8_t> bytes) {
     std::error_code error;
     const fs::file_status status = fs::status(path, error);
-    if (fs::is_directory(status))
-        return "\"" + path + "\" is a folder; expected the name of a file";
-    const bool isFile = fs::is_regular_file(status) || status.type() == fs::file_type::not_found;
-    const int fault =
-        isFile ? replaceFile(followLinks(path), status, bytes) : writeBytes(path, bytes, [] {});
-    return fault == 0 ? std::string() : "\"" + path + "\" cannot be written: " + reason(fault);
+    if (fs::is_directory(status)) return isFolder(path);
+    return cannotBeWritten(path, isFileOrNothing(status)
+                                     ? replaceFile(followLinks(path), status, bytes)
+                                     : writeBytes(path, bytes, [] {}));
+}
+
+std::string whyNotWritable(const std::string& path) {
+    std::error_code error;
+    const fs::file_status status = fs::status(path, error);
+    if (fs::is_directory(status)) return isFolder(path);
+    if (!isFileOrNothing(status)) return {};
+    const fs::path part = partBeside(followLinks(path));
+    const int fault = writeBytes(part, {}, [] {});
+    fs::remove(part, error);
+    return cannotBeWritten(path, fault);
 }
 
 void outliveClosedPipes() {

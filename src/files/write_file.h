@@ -14,6 +14,10 @@ namespace slicecast {
 std::string writeWholeFile(const std::string& path, std::span<const std::uint8_t> bytes);
 std::string writeWholeFile(const std::string& path, std::string_view text);
 
+// What writeWholeFile would say if it had to write there now; an empty text if it could. Leaves the
+// file as it is. Pipes and devices are not tried, since that could wait for their readers.
+std::string whyNotWritable(const std::string& path);
+
 // Call it first in main: a write into a closed pipe then fails like any other write, instead of
 // ending the program without a message.
 void outliveClosedPipes();

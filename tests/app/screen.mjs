@@ -81,9 +81,9 @@ export class Screen {
     return result.status === 0 ? result.stdout.trim() : '';
   }
 
-  // Starts the program and waits for its window.
-  async start(args) {
-    const started = new Program(this, args);
+  // Starts the program and waits for its window. `options` as of spawn: {cwd, env}.
+  async start(args, options) {
+    const started = new Program(this, args, options);
     this.#programs.push(started);
     await eventually('a window', () => started.ended !== undefined || started.findWindow());
     return started;
@@ -123,11 +123,12 @@ class Program {
   #screen;
   #process;
 
-  constructor(screen, args) {
+  constructor(screen, args, { cwd, env = {} } = {}) {
     this.#screen = screen;
     this.errors = '';
     this.#process = spawn(program, args.map(String), {
-      env: screen.environment,
+      cwd,
+      env: { ...screen.environment, ...env },
       stdio: ['ignore', 'ignore', 'pipe'],
     });
     this.#process.stderr.on('data', (data) => (this.errors += data));

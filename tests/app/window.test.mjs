@@ -113,6 +113,49 @@ describe('the window', { skip: noScreen }, () => {
     }
   });
 
+  // Nothing can be written into /proc, whoever one is.
+  test('F9 in a folder that cannot be written records into the home folder, and says so', async () => {
+    const home = mkdtempSync(join(tmpdir(), 'slicecast-home-'));
+    const started = await screen.start([scene, '--size', `${kWidth}x${kHeight}`], {
+      cwd: '/proc',
+      env: { HOME: home },
+    });
+    try {
+      const plain = expectedPicture(kWidth, kHeight);
+      await shows(started, plain, 'the picture of the start');
+      started.keys('F9');
+      await eventually('the recording', () => started.title.includes('(recording)'));
+      const place = join(home, 'first-walk-recording.txt');
+      const told = `cannot be written: No such file or directory; the recording goes to "${place}"`;
+      await eventually('the place', () => started.errors.includes(told));
+      await eventually('the message', () => !started.picture().equals(plain));
+      started.keys('F9');
+      await eventually('the end', () => !started.title.includes('(recording)'));
+      assert.match(readFileSync(place, 'utf8'), /first-walk/);
+    } finally {
+      started.kill();
+      rmSync(home, { recursive: true });
+    }
+  });
+
+  test('F9 records nothing where nothing can be written, and says so at once', async () => {
+    const started = await screen.start([scene, '--size', `${kWidth}x${kHeight}`], {
+      cwd: '/proc',
+      env: { HOME: '/proc' },
+    });
+    try {
+      const plain = expectedPicture(kWidth, kHeight);
+      await shows(started, plain, 'the picture of the start');
+      started.keys('F9');
+      await eventually('the message', () => !started.picture().equals(plain));
+      const told = 'cannot record: "first-walk-recording.txt" cannot be written';
+      await eventually('the reason', () => started.errors.includes(told));
+      assert.ok(!started.title.includes('(recording)'), started.title);
+    } finally {
+      started.kill();
+    }
+  });
+
   test('without a scene it opens the first one of the list', () =>
     withWindow(['--size', `${kWidth}x${kHeight}`], async (started) => {
       const [opening] = JSON.parse(readFileSync(join(root, 'assets/scenes/index.json'), 'utf8'));
@@ -240,12 +283,13 @@ describe('the window', { skip: noScreen }, () => {
     ));
 });
 
-function run(args, environment = {}) {
-  const { status, stdout, stderr } = spawnSync(program, args, {
+function run(args, environment = {}, options = {}) {
+  const { status, stdout, stderr, error } = spawnSync(program, args, {
     encoding: 'utf8',
     env: { ...process.env, ...environment },
+    ...options,
   });
-  return { status, stdout, stderr };
+  return { status, stdout, stderr, error };
 }
 
 test('--help lists options and keys', () => {
@@ -289,4 +333,37 @@ test('what cannot be is refused with the reason', () => {
   const { status, stderr } = run([scene], { SDL_VIDEODRIVER: 'none' });
   assert.equal(status, 1);
   assert.match(stderr, /cannot use a screen/);
+});
+
+// SDL falls back to drivers that show nothing; they are used if asked for, as here at last.
+test('without a display it says so and ends', { skip: process.platform !== 'linux' }, () => {
+  const none = { DISPLAY: undefined, WAYLAND_DISPLAY: undefined, XDG_RUNTIME_DIR: undefined };
+  for (const driver of [undefined, '']) {
+    const environment = { ...none, SDL_VIDEODRIVER: driver };
+    const { status, stderr } = run([scene], environment, { timeout: 20000 });
+    assert.equal(status, 1, stderr);
+    assert.match(stderr, /^slicecast: cannot use a screen: /m);
+  }
+  const { error } = run([scene], { ...none, SDL_VIDEODRIVER: 'dummy' }, { timeout: 1500 });
+  assert.equal(error?.code, 'ETIMEDOUT', 'it plays until it is stopped');
+});
+
+test('a recording that cannot be written is refused before it is played', () => {
+  const folder = mkdtempSync(join(tmpdir(), 'slicecast-'));
+  try {
+    for (const [file, reason] of [
+      [
+        join(folder, 'missing', 'walk.txt'),
+        /--record: ".*walk\.txt" cannot be written: No such file/,
+      ],
+      [folder, /--record: ".*" is a folder; expected the name of a file/],
+    ]) {
+      const environment = { SDL_VIDEODRIVER: 'dummy' };
+      const { status, stderr } = run([scene, '--record', file], environment, { timeout: 20000 });
+      assert.equal(status, 1, stderr);
+      assert.match(stderr, reason);
+    }
+  } finally {
+    rmSync(folder, { recursive: true });
+  }
 });
