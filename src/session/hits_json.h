@@ -37,6 +37,7 @@
 
 #include "session/json_text.h"
 #include "session/session.h"
+#include "slicecast/picture.h"
 
 #include <cstddef>
 #include <span>
@@ -48,7 +49,10 @@ namespace slicecast {
 std::string hitsJson(Session& session, const std::string& sceneName, int width, int height,
                      int column);
 
-// The same for many columns, packed as an array (json_text.h).
+// A request has at most as many columns as the widest picture.
+inline constexpr int kMostAskedColumns = kMaxPictureSide;
+
+// The same for many columns, at most kMostAskedColumns, packed as an array (json_text.h).
 void packHits(Session& session, const std::string& sceneName, int width, int height,
               std::span<const int> columns, PackedValues& packed);
 

@@ -129,7 +129,8 @@ using PackColumns = void (*)(Session&, const std::string&, int, int, std::span<c
 const double* packColumns(SlicecastSession* session, int32_t width, int32_t height,
                           const int32_t* columns, int32_t count, PackColumns pack) {
     Session* game = session->game();
-    if (game == nullptr || !isPictureSize(width, height) || count < 0) return nullptr;
+    if (game == nullptr || !isPictureSize(width, height) || count < 0 || count > kMostAskedColumns)
+        return nullptr;
     const std::span<const int> columnList(reinterpret_cast<const int*>(columns),
                                           static_cast<std::size_t>(count));
     for (const int column : columnList) {

@@ -220,12 +220,14 @@ int32_t slicecast_goToMap(SlicecastSession* session, int32_t map);
 const char* slicecast_texts(SlicecastSession* session);
 
 // What columns of a picture of this size meet: an array of the objects of session/hits_json.h.
-// "scene" is the scene's title. Null if one of the columns does not exist.
+// "scene" is the scene's title. Null if one of the columns does not exist, or for more of them than
+// the widest picture has.
 const double* slicecast_hits(SlicecastSession* session, int32_t width, int32_t height,
                              const int32_t* columns, int32_t count);
 
 // All that the renderer did for columns of a picture of this size: an array of the objects of
-// session/trace_json.h. Null if one of the columns does not exist.
+// session/trace_json.h. Null if one of the columns does not exist, or for more of them than the
+// widest picture has.
 const double* slicecast_trace(SlicecastSession* session, int32_t width, int32_t height,
                               const int32_t* columns, int32_t count);
 

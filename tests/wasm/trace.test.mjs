@@ -5,6 +5,7 @@ import assert from 'node:assert/strict';
 import { basename } from 'node:path';
 import { test } from 'node:test';
 
+import { withBytes } from '../../build/web/engine/module-memory.js';
 import { flavours, loadModule, roomScene, Session, shippedScenes, textureBytes } from './load.mjs';
 
 const kWidth = 96;
@@ -106,4 +107,22 @@ test('there is no trace without a game, or of a column beyond the picture', asyn
   session.loadText(roomScene(), 'room.json', () => textureBytes);
   assert.equal(session.trace(kWidth, kHeight, kWidth), null);
   assert.equal(session.trace(0, kHeight, -1), null);
+});
+
+test('a request for more columns than the widest picture has is refused', async () => {
+  const module = await loadModule('simd');
+  const session = new Session(module);
+  assert.deepEqual(
+    session.loadText(roomScene(), 'room.json', () => textureBytes),
+    [],
+  );
+  const kMost = 8192;
+  const ask = (method, count) =>
+    withBytes(module, new Uint8Array(4 * count), (at) =>
+      module[`_slicecast_${method}`](session.address, kWidth, kHeight, at, count),
+    );
+  for (const method of ['hits', 'trace']) {
+    assert.notEqual(ask(method, kMost), 0);
+    assert.equal(ask(method, kMost + 1), 0);
+  }
 });
