@@ -213,8 +213,8 @@ void Hearing::add(const Sound& sound) {
 void Hearing::step(const World& world, const Player& before, const Player& now) {
     if (isTaken_) count_ = 0;
     isTaken_ = false;
-    // A crossing, a jump or a landing, a step, a knock, a find, the goal
-    constexpr int kMostInAStep = 6;
+    // A crossing, a splash, a jump or a landing, a step or a stroke, a knock, a find, the goal
+    constexpr int kMostInAStep = 7;
     if (count_ > kMostAtOnce - kMostInAStep) return;
     if (now.leaps != before.leaps) add({.kind = SoundKind::crossing, .gain = 1.0});
     hearFeet(world, before, now);
