@@ -75,7 +75,7 @@ Read<int> readTime(const std::string& text) {
     constexpr double kLongest = 3600.0;
     const std::optional<double> seconds = readNumber(text);
     if (seconds && *seconds >= 0.0 && *seconds <= kLongest)
-        return {static_cast<int>(std::floor(*seconds / kStepSeconds + 0.5)), {}};
+        return {static_cast<int>(std::floor(*seconds * kStepsPerSecond + 0.5)), {}};
     return {std::nullopt, "found " + quoted(text) + ", expected seconds, from 0 to 3600"};
 }
 

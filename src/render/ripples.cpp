@@ -89,9 +89,7 @@ const int* findRippledRows(const Frame& frame, int column, const ColumnSpans& fo
     const int eyeX = vista.viewpoint.tileX() * 256;
     const int eyeY = vista.viewpoint.tileY() * 256;
     const double perSquare = height * vista.projection->distance;
-    const double seconds = frame.world->seconds;
-    const int step =
-        static_cast<int>(static_cast<std::int64_t>(std::floor(120.0 * seconds)) & 1023);
+    const int step = static_cast<int>(frame.world->steps & 1023);
     const double most = frame.rippleRows;
     // Rows near the horizon show the far water, whose waves are too low to move anything
     const double stillOffset =

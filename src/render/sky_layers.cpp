@@ -5,6 +5,7 @@
 #include "base/random.h"
 #include "render/column_fill.h"
 #include "render/vectors.h"
+#include "world/time_step.h"
 
 #include <algorithm>
 #include <cmath>
@@ -51,7 +52,7 @@ SkyLayers::Disc SkyLayers::discOf(const SkyDisc& disc) {
     return found;
 }
 
-void SkyLayers::beginFrame(const Sky& sky, const Projection& projection, double seconds) {
+void SkyLayers::beginFrame(const Sky& sky, const Projection& projection, std::int64_t steps) {
     sky_ = &sky;
     skyRows_.resize(static_cast<std::size_t>(projection.firstFallingRow));
     for (int row = 0; row < projection.firstFallingRow; ++row) {
@@ -75,7 +76,7 @@ void SkyLayers::beginFrame(const Sky& sky, const Projection& projection, double 
     moon_.hasSpots = true;
     density_ = static_cast<int>(1024.0 * sky.stars.density + 0.5);
     brightness_ = share255(sky.stars.brightness);
-    if (sky.clouds.shape != nullptr) beginClouds(sky.clouds, seconds);
+    if (sky.clouds.shape != nullptr) beginClouds(sky.clouds, steps);
 }
 
 // The sky's own colours are those of the middles of squares.
@@ -103,9 +104,11 @@ void SkyLayers::beginColours(const Sky& sky, int rows) {
     }
 }
 
-void SkyLayers::beginClouds(const SkyClouds& clouds, double seconds) {
-    const double turns = seconds * clouds.speed / 360.0;
-    drift_ = static_cast<int>((turns - std::floor(turns)) * kCloudTurn) % kCloudTurn;
+void SkyLayers::beginClouds(const SkyClouds& clouds, std::int64_t steps) {
+    // The quotient's floor is exact, as in frameAt
+    constexpr double kStepsPerTurn = 360.0 * kStepsPerSecond / kCloudTurn;
+    const double moved = std::floor(static_cast<double>(steps) * clouds.speed / kStepsPerTurn);
+    drift_ = static_cast<int>(std::fmod(moved, kCloudTurn));
     threshold_ = 200 - static_cast<int>(160.0 * clouds.cover + 0.5);
     const int opacity = share255(clouds.opacity);
     for (int density = 0; density < 256; ++density) {

@@ -16,7 +16,7 @@ namespace slicecast {
 class SkyLayers {
 public:
     // The sky must outlive the frame.
-    void beginFrame(const Sky& sky, const Projection& projection, double seconds);
+    void beginFrame(const Sky& sky, const Projection& projection, std::int64_t steps);
 
     // Fills the rows [first, last) of a column of pixels that starts at `colours`; no row is below
     // the horizon. Columns of squares are numbered clockwise from the east, from 0 to kSkyColumns -
@@ -41,7 +41,7 @@ private:
     static Disc discOf(const SkyDisc& disc);
 
     void beginColours(const Sky& sky, int rows);
-    void beginClouds(const SkyClouds& clouds, double seconds);
+    void beginClouds(const SkyClouds& clouds, std::int64_t steps);
     void fillColours(int column, Rows rows);
     void addStars(int column, Rows rows);
     void addStar(std::uint64_t star, int x, int y, Rows rows);

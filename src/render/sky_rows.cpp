@@ -8,14 +8,14 @@
 namespace slicecast {
 
 void SkyRows::beginFrame(const Sky& sky, const Projection& projection, double headingDegrees,
-                         double seconds) {
+                         std::int64_t steps) {
     sky_ = &sky;
     hasLayers_ = sky.hasLayers();
     fetchedColumn_ = -1;
     headingDegrees_ = headingDegrees;
     if (hasLayers_ || sky.kind == Sky::Kind::panorama) findAzimuths(projection);
     if (hasLayers_) {
-        layers_.beginFrame(sky, projection, seconds);
+        layers_.beginFrame(sky, projection, steps);
         colours_.resize(static_cast<std::size_t>(projection.firstFallingRow));
         return;
     }

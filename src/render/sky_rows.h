@@ -11,6 +11,7 @@
 #include "slicecast/colour.h"
 #include "world/sky.h"
 
+#include <cstdint>
 #include <vector>
 
 namespace slicecast {
@@ -18,7 +19,7 @@ namespace slicecast {
 class SkyRows {
 public:
     void beginFrame(const Sky& sky, const Projection& projection, double headingDegrees,
-                    double seconds);
+                    std::int64_t steps);
 
     // Fills the rows [first, last) of the slice that starts at `slice`; they must not be below the
     // horizon.

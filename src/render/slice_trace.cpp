@@ -250,7 +250,7 @@ private:
         const Viewpoint& from = vista.viewpoint;
         const Object& object = vista.map->objects[static_cast<std::size_t>(span.object)];
         const ObjectSide view = sideTowards(object, from.x - object.x.raw, from.y - object.y.raw);
-        return frame_.world->sprites[span.image].levelsAt(frame_.world->seconds, view);
+        return frame_.world->sprites[span.image].levelsAt(frame_.world->steps, view);
     }
 
     // The index of the column of texels, from the left.

@@ -64,7 +64,7 @@ void Vista::begin(const FrameView& frame, const Viewpoint& from, FrameRays rays,
     planeLooks.beginFrame({lighting, projection->distance, inverseOffsets,
                            projection->firstFallingRow, projection->height});
     skyRows.beginFrame(map->sky, *projection, frame.eye->headingDegrees + 90.0 * from.turn,
-                       frame.world->seconds);
+                       frame.world->steps);
 }
 
 void Vistas::beginFrame(const World& world, const Eye& eye, const RenderOptions& options,

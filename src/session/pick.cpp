@@ -16,11 +16,11 @@ int alphaOf(const World& world, const FilledRows& rows, const TracedTexel& texel
     const auto detail = static_cast<std::size_t>(texel.detail);
     Pixel pixel{};
     if (rows.what == What::object) {
-        const SpriteLevel& level = world.sprites[rows.texture].levelsAt(world.seconds)[detail];
+        const SpriteLevel& level = world.sprites[rows.texture].levelsAt(world.steps)[detail];
         pixel = level.texels[static_cast<std::size_t>(texel.u * level.height + texel.v)];
     } else {
         const Texture& texture = world.textures[rows.texture];
-        const TextureLevel& level = texture.levelsOf(texture.frameAt(world.seconds))[detail];
+        const TextureLevel& level = texture.levelsOf(texture.frameAt(world.steps))[detail];
         pixel = level.texels[static_cast<std::size_t>((texel.u << level.bits) + texel.v)];
     }
     return toColour(pixel).a;

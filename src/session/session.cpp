@@ -101,7 +101,7 @@ void Session::step(const Input& input) {
     keepNews();
     if (hearing_) hearing_->step(world_, previous_, player_);
     ++steps_;
-    world_.seconds = static_cast<double>(steps_ - beganAt_) * kStepSeconds;
+    world_.steps = steps_ - beganAt_;
 }
 
 // A press is one wish, however long the key is held.
@@ -253,7 +253,7 @@ void Session::reset() {
     resetQuest(world_);
     news_.clear();
     beganAt_ = steps_;
-    world_.seconds = 0.0;
+    world_.steps = 0;
     player_ = playerAtStart(world_);
     previous_ = player_;
 }
@@ -261,7 +261,7 @@ void Session::reset() {
 World Session::takeWorld() {
     lights_.apply({}, world_.maps);
     edits_.undo(world_);
-    world_.seconds = 0.0;
+    world_.steps = 0;
     return std::move(world_);
 }
 

@@ -23,15 +23,13 @@
 
 #include "base/coordinate.h"
 #include "world/collision.h"
+#include "world/time_step.h"
 #include "world/traveller.h"
 #include "world/world.h"
 
 #include <cstdint>
 
 namespace slicecast {
-
-inline constexpr int kStepsPerSecond = 120;
-inline constexpr double kStepSeconds = 1.0 / kStepsPerSecond;
 
 // The body.
 inline constexpr Coordinate kBodyHalfWidth = toCoordinate(0.2);

@@ -5,10 +5,10 @@
 #include <utility>
 
 namespace slicecast {
-const std::vector<SpriteLevel>& Sprite::levelsAt(double seconds, ObjectSide view) const {
+const std::vector<SpriteLevel>& Sprite::levelsAt(std::int64_t steps, ObjectSide view) const {
     const int count = static_cast<int>(frames.size()) / views;
     const int row = views == 1 ? 0 : static_cast<int>(view);
-    return frames[static_cast<std::size_t>(row * count + frameAt(seconds, rate, count))];
+    return frames[static_cast<std::size_t>(row * count + frameAt(steps, rate, count))];
 }
 
 Sprite makeSprite(std::string name, const Image& image, int frames, double rate, int views) {

@@ -26,8 +26,8 @@ struct Sprite {
     double rate = 0.0;  // frames per second, repeating; 0 for a single frame
     int views = 1;      // rows: 1 or kSpriteViews
 
-    // The frame shown at a time in a row: floor(seconds * rate) modulo the frames of a row.
-    const std::vector<SpriteLevel>& levelsAt(double seconds,
+    // The frame of a row that is shown after so many steps, as of a texture.
+    const std::vector<SpriteLevel>& levelsAt(std::int64_t steps,
                                              ObjectSide view = ObjectSide::front) const;
 };
 

@@ -1,5 +1,7 @@
 #include "world/texture.h"
 
+#include "world/time_step.h"
+
 #include <algorithm>
 #include <bit>
 #include <cmath>
@@ -94,10 +96,12 @@ std::vector<Pixel> halved(const std::vector<Pixel>& columns, int height) {
     return half;
 }
 
-int frameAt(double seconds, double rate, int frames) {
-    if (frames <= 1 || !(seconds > 0.0)) return 0;
-    return std::min(frames - 1, static_cast<int>(std::fmod(std::floor(seconds * rate),
-                                                           static_cast<double>(frames))));
+// The quotient's floor is exact: a double that is less than a multiple of 120 is less by more than
+// the division rounds away.
+int frameAt(std::int64_t steps, double rate, int frames) {
+    if (frames <= 1 || steps <= 0) return 0;
+    const double shown = std::floor(static_cast<double>(steps) * rate / kStepsPerSecond);
+    return static_cast<int>(std::fmod(shown, static_cast<double>(frames)));
 }
 
 Texture makeTexture(std::string name, const Image& image, int frames, double rate) {
@@ -111,8 +115,8 @@ Texture makeTexture(std::string name, const Image& image, int frames, double rat
     return texture;
 }
 
-int Texture::frameAt(double seconds) const {
-    return slicecast::frameAt(seconds, rate, frames());
+int Texture::frameAt(std::int64_t steps) const {
+    return slicecast::frameAt(steps, rate, frames());
 }
 
 }  // namespace slicecast

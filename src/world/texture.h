@@ -13,6 +13,7 @@
 #include "slicecast/sound.h"
 #include "world/texel_runs.h"
 
+#include <cstdint>
 #include <string>
 #include <vector>
 
@@ -41,8 +42,8 @@ struct Texture {
     // progress.
     bool isHeld() const { return frames() > 1 && rate == 0.0; }
 
-    // The frame shown at a time: floor(seconds * rate) modulo the number of frames.
-    int frameAt(double seconds) const;
+    // The frame shown after so many steps.
+    int frameAt(std::int64_t steps) const;
     const std::vector<TextureLevel>& levelsOf(int frame) const {
         return frame == 0 ? levels : laterFrames[static_cast<std::size_t>(frame - 1)];
     }
@@ -54,8 +55,9 @@ std::vector<Pixel> columnsOf(const Image& sheet, int frame, int width, int top, 
 // The next level of detail of columns of `height` texels; both sides must be even.
 std::vector<Pixel> halved(const std::vector<Pixel>& columns, int height);
 
-// floor(seconds * rate) modulo `frames`; 0 for negative times.
-int frameAt(double seconds, double rate, int frames);
+// The frame shown after so many steps at a rate per second: floor(p / 120) modulo `frames`, p being
+// steps * rate, which is rounded as any double is; 0 for negative steps.
+int frameAt(std::int64_t steps, double rate, int frames);
 
 // Makes the levels of a square image whose side is a power of two, or of a sheet of `frames` such
 // images side by side. Of stone.

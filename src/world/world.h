@@ -14,6 +14,7 @@
 #include "world/sprite.h"
 #include "world/texture.h"
 
+#include <cstdint>
 #include <string>
 #include <type_traits>
 #include <vector>
@@ -55,8 +56,8 @@ struct World {
     std::vector<Encounter> encounters;  // of the present step, see findEncounters
     Quest quest;
     Start start;
-    double seconds = 0.0;   // since the world began; drives animated textures
-    bool hasPlans = false;  // a blueprint fills only a part of its tile; set by markPlans
+    std::int64_t steps = 0;  // since the world began; drive what is animated
+    bool hasPlans = false;   // a blueprint fills only a part of its tile; set by markPlans
 
 private:
     World(const World&) = default;

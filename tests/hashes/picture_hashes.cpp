@@ -187,7 +187,7 @@ void printGenerated(std::uint64_t seed, Shown& shown) {
     World world = generatedWorld(seed);
     for (std::uint64_t i = 0; i < kViews; ++i) {
         const GeneratedView view = generatedView(world, seed * kViews + i);
-        world.seconds = 0.37 * static_cast<double>(i);
+        world.steps = 44 * static_cast<std::int64_t>(i);
         printPicture(name + " view " + std::to_string(i), view.width, view.height,
                      [&](const Picture& picture) {
                          return renderer.draw(world, view.eye, view.options, picture);

@@ -215,7 +215,7 @@ World randomWorld(Random& random, bool coarse) {
         world.textures.push_back(
             codedTexture(i, fine ? 8 << random.between(1, 2) : 8, i >= opaque, frames, rate));
     }
-    world.seconds = random.between(0.0, 100.0);
+    world.steps = static_cast<std::int64_t>(random.between(0.0, 12'000.0));
     const int blueprints = random.between(1, 12);
     for (int i = 0; i < blueprints; ++i)
         world.blueprints.push_back(randomBlueprint(random, coarse));
@@ -545,6 +545,12 @@ void stir(std::uint64_t seed, World& world) {
                           .colour = anyColour(random),
                           .shade = anyColour(random)};
         }
+    }
+    // Rates at which frames come exactly with a step
+    Random rates(seed ^ 0x72617465u);
+    if (rates.oneIn(2)) {
+        for (Texture& texture : world.textures)
+            texture.rate = texture.frames() > 1 ? 120.0 / rates.between(1, 12) : 0.0;
     }
     if (random.oneIn(2)) return;
     const auto ripples = [&](std::uint8_t mirror) {

@@ -36,6 +36,12 @@ Image nextLevel(const Image& image) {
     return next;
 }
 
+// floor(number / by), without a division that rounds.
+std::int64_t wholeQuotient(double number, int by) {
+    const auto whole = static_cast<std::int64_t>(std::floor(number));
+    return whole / by;
+}
+
 }  // namespace
 
 Tracer::Tracer(const World& world, const View& view) : world_(world), view_(view) {
@@ -59,10 +65,9 @@ Tracer::Tracer(const World& world, const View& view) : world_(world), view_(view
     }
     // A sheet's frames follow one another for ever.
     const auto frameOf = [&](std::size_t frames, double rate) {
-        return frames == 1 ? 0
-                           : static_cast<std::size_t>(
-                                 static_cast<std::int64_t>(std::floor(world.seconds * rate)) %
-                                 static_cast<std::int64_t>(frames));
+        const double product = static_cast<double>(world.steps) * rate;
+        return static_cast<std::size_t>(wholeQuotient(product, 120) %
+                                        static_cast<std::int64_t>(frames));
     };
     const auto levelsOf = [](const std::vector<Pixel>& columns, int width, int height) {
         Image shown(width, height);

@@ -31,8 +31,7 @@ bool isSamePlane(const Sight& a, const Sight& b) {
 }  // namespace
 
 int Tracer::shiftOf(const Sight::Waves& waves) const {
-    const int step =
-        static_cast<int>(static_cast<std::int64_t>(std::floor(world_.seconds * 120.0)) % 1024);
+    const int step = static_cast<int>(world_.steps % 1024);
     const auto phase = [&](int x, int y, int t) { return x * waves.x + y * waves.y + t * step; };
     const int w = (2 * wave(phase(5, 3, 8) >> 3) + wave(phase(-4, 9, 8) >> 2) +
                    wave(phase(11, -6, 10) >> 2)) >>

@@ -164,7 +164,7 @@ void Tracer::Walk::pushBackground() {
     SkyNotes seen;
     sight.colour = skyColour(
         map().sky, tracer_.view_.headingDegrees + 90.0 * place_.turn + atanDegrees(sideways_),
-        up_ / tracer_.distance_, world_.seconds, seen);
+        up_ / tracer_.distance_, world_.steps, seen);
     if (seen.star) note(Note::skyStar);
     if (seen.sun) note(Note::skySun);
     if (seen.moon) note(Note::skyMoon);

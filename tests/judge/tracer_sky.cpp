@@ -119,9 +119,11 @@ int discWeight(const SkyDisc& disc, int c, int v, bool isMoon, Colour& colour) {
 // Clouds are looked up where the scene's loading has put them; that is checked here.
 class CloudsAt {
 public:
-    CloudsAt(const SkyClouds& clouds, int c, double seconds) : clouds_(clouds) {
-        const int moved =
-            static_cast<int>(std::floor(fraction(seconds * clouds.speed / 360.0) * 262144.0));
+    // A whole turn takes 360 * 120 = 43200 of `product`.
+    CloudsAt(const SkyClouds& clouds, int c, std::int64_t steps) : clouds_(clouds) {
+        const double product = static_cast<double>(steps) * clouds.speed;
+        const double inTurn = product - 43200.0 * std::floor(product / 43200.0);
+        const int moved = static_cast<int>(std::floor(262144.0 * inTurn / 43200.0));
         at_ = modulo(128 * c - moved, 262144);
     }
 
@@ -141,8 +143,8 @@ private:
     int at_;
 };
 
-int cloudWeight(const SkyClouds& clouds, int c, int v, double seconds, Colour& colour) {
-    const CloudsAt at(clouds, c, seconds);
+int cloudWeight(const SkyClouds& clouds, int c, int v, std::int64_t steps, Colour& colour) {
+    const CloudsAt at(clouds, c, steps);
     const int d = at.density(v);
     int weight = std::clamp(8 * (d - 200 + share(clouds.cover, 160)), 0, 255) *
                  share(clouds.opacity, 255) / 255;
@@ -164,7 +166,7 @@ int cloudDensity(std::uint32_t seed, double size, int i, int j) {
            15;
 }
 
-Colour skyColour(const Sky& sky, double headingDegrees, double slope, double seconds,
+Colour skyColour(const Sky& sky, double headingDegrees, double slope, std::int64_t steps,
                  SkyNotes& notes) {
     const double u = fraction(headingDegrees / 360.0);
     const auto columnOf = [&](int count) {
@@ -187,7 +189,7 @@ Colour skyColour(const Sky& sky, double headingDegrees, double slope, double sec
     weight = discWeight(sky.moon, c, v, true, colour);
     lay(colour, weight, notes.moon);
     if (sky.clouds.shape) {
-        weight = cloudWeight(sky.clouds, c, v, seconds, colour);
+        weight = cloudWeight(sky.clouds, c, v, steps, colour);
         lay(colour, weight, notes.cloud);
     }
     return shown;

@@ -17,7 +17,7 @@ struct SkyNotes {
 };
 
 // The colour towards a heading at an upward slope.
-Colour skyColour(const Sky& sky, double headingDegrees, double slope, double seconds,
+Colour skyColour(const Sky& sky, double headingDegrees, double slope, std::int64_t steps,
                  SkyNotes& notes);
 
 // The density of clouds in a column and a row of their shape.

@@ -124,7 +124,7 @@ TEST(MinimapMap, RedrawsNothingWithoutAChange) {
     Kept kept;
     EXPECT_GT(kept.draw(), 400);
     EXPECT_EQ(kept.draw(), 0);
-    kept.world.seconds = 3.0;
+    kept.world.steps = 360;
     EXPECT_EQ(kept.draw(), 0);
     // Nor for what is drawn on top: the eye, its rays, objects
     kept.eye = eyeAt(20.6, 15.4, 200.0);

@@ -146,7 +146,7 @@ TEST(RendererAllocations, NoneOnARepeatedWay) {
     FrameReport most;
     const auto go = [&] {
         for (std::size_t i = 0; i < eyes.size(); ++i) {
-            world.seconds = 0.1 * static_cast<double>(i);
+            world.steps = 12 * static_cast<std::int64_t>(i);
             ASSERT_TRUE(renderer.draw(world, eyes[i], {}, picture));
             const FrameReport& report = renderer.report();
             most.deepestPortal = std::max(most.deepestPortal, report.deepestPortal);

@@ -149,7 +149,7 @@ inline World mixedWorld(std::uint64_t seed) {
             }
         }
     }
-    world.seconds = 0.2 * static_cast<double>(seed);
+    world.steps = 24 * static_cast<std::int64_t>(seed);
     map.light.on = random.oneIn(2);
     map.fog = {.on = random.oneIn(2), .start = 1.0, .end = 20.0};
     map.sky = {

@@ -107,14 +107,14 @@ private:
     void tellSide(const Span& span) {
         const Texture& texture = world_.textures[span.image];
         const TextureLevel& level = texture.levelsOf(
-            texture.frameAt(world_.seconds))[static_cast<std::size_t>(span.column.detail)];
+            texture.frameAt(world_.steps))[static_cast<std::size_t>(span.column.detail)];
         tellTexels(span, texture.name, level.texels, level.size);
     }
 
     void tellObject(const Span& span) {
         const Sprite& sprite = world_.sprites[span.image];
         const SpriteLevel& level =
-            sprite.levelsAt(world_.seconds)[static_cast<std::size_t>(span.column.detail)];
+            sprite.levelsAt(world_.steps)[static_cast<std::size_t>(span.column.detail)];
         tellTexels(span, sprite.name, level.texels, level.height);
     }
 

@@ -264,7 +264,7 @@ TEST(Gates, ShowTheFrameOfTheirProgress) {
         for (const Face face : {Face::north, Face::south}) {
             const Texture& shown = world.textures[block.face(face).texture];
             ASSERT_EQ(toColour(shown.levels[0].texels[0]).r, 50 * frame) << progress;
-            ASSERT_EQ(shown.frameAt(7.0), 0);
+            ASSERT_EQ(shown.frameAt(840), 0);
             ASSERT_EQ(shown.levels.size(), 4u);
         }
         ASSERT_EQ(block.face(Face::east).texture, 0);

@@ -20,13 +20,13 @@ TEST(Sprite, FramesStandSideBySide) {
         sheet.at(3 * frame + 1, 2) = toPixel({static_cast<std::uint8_t>(frame + 1), 0, 0, 255});
     const Sprite sprite = makeSprite("s", sheet, 3, 2.0);
     ASSERT_EQ(sprite.frames.size(), 3u);
-    const auto red = [&](double seconds) {
-        return toColour(sprite.levelsAt(seconds)[0].texels[1 * 4 + 2]).r;
+    const auto red = [&](int steps) {
+        return toColour(sprite.levelsAt(steps)[0].texels[1 * 4 + 2]).r;
     };
-    EXPECT_EQ(red(0.0), 1);
-    EXPECT_EQ(red(0.5), 2);
-    EXPECT_EQ(red(1.49), 3);
-    EXPECT_EQ(red(1.5), 1);
+    EXPECT_EQ(red(0), 1);
+    EXPECT_EQ(red(60), 2);
+    EXPECT_EQ(red(179), 3);
+    EXPECT_EQ(red(180), 1);
 }
 
 }  // namespace

@@ -53,12 +53,24 @@ TEST(Texture, ASheetsFramesRepeat) {
     EXPECT_EQ(texture.frames(), 3);
     for (int frame = 0; frame < 3; ++frame)
         EXPECT_EQ(toColour(texture.levelsOf(frame)[0].texels[2 * 8 + 5]).r, frame + 1);
-    EXPECT_EQ(texture.frameAt(0.0), 0);
-    EXPECT_EQ(texture.frameAt(0.2499), 0);
-    EXPECT_EQ(texture.frameAt(0.25), 1);
-    EXPECT_EQ(texture.frameAt(0.75), 0);
-    EXPECT_EQ(texture.frameAt(1.0e9), 1);  // 4e9 = 3 * 1333333333 + 1
-    EXPECT_EQ(texture.frameAt(-1.0), 0);
+    EXPECT_EQ(texture.frameAt(0), 0);
+    EXPECT_EQ(texture.frameAt(29), 0);
+    EXPECT_EQ(texture.frameAt(30), 1);
+    EXPECT_EQ(texture.frameAt(90), 0);
+    EXPECT_EQ(texture.frameAt(120'000'000'000), 1);  // 4e9 = 3 * 1333333333 + 1
+    EXPECT_EQ(texture.frameAt(-120), 0);
+}
+
+// In seconds, 613 of the first 14,400 steps would come before their time.
+TEST(Texture, AFrameComesWithItsStep) {
+    constexpr int kFrames = 64;
+    for (int step = 0; step < 14'400; ++step) {
+        ASSERT_EQ(frameAt(step, 120.0, kFrames), step % kFrames);
+        ASSERT_EQ(frameAt(step, 60.0, kFrames), step / 2 % kFrames);
+        ASSERT_EQ(frameAt(step, 7.0, kFrames), step * 7 / 120 % kFrames);
+        ASSERT_EQ(frameAt(step, 2.5, kFrames), step * 5 / 240 % kFrames);
+        ASSERT_EQ(frameAt(step, 0.3, kFrames), step * 3 / 1200 % kFrames) << step;
+    }
 }
 
 TEST(Texture, KnowsWhetherItIsSeeThrough) {

@@ -136,14 +136,13 @@ Shown Colouring::shown(FilledRows::What what, const Texel& at) const {
         return levels[static_cast<std::size_t>(detail)];
     };
     if (what == FilledRows::What::object) {
-        const SpriteLevel& level =
-            use(world_.sprites[at.texture].levelsAt(world_.seconds, at.side));
+        const SpriteLevel& level = use(world_.sprites[at.texture].levelsAt(world_.steps, at.side));
         width = level.width;
         height = level.height;
         texels = level.texels.data();
     } else {
         const Texture& texture = world_.textures[at.texture];
-        const TextureLevel& level = use(texture.levelsOf(texture.frameAt(world_.seconds)));
+        const TextureLevel& level = use(texture.levelsOf(texture.frameAt(world_.steps)));
         width = height = level.size;
         texels = level.texels.data();
     }
