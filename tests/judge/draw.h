@@ -10,7 +10,9 @@ namespace slicecast::judge {
 inline RenderOptions optionsOf(const View& view) {
     return {.fovDegrees = view.fovDegrees,
             .detail = view.detail,
+            .detailThreshold = view.detailThreshold,
             .smooth = view.smooth,
+            .textures = view.textures,
             .light = view.light,
             .fog = view.fog,
             .baked = view.baked,

@@ -701,9 +701,13 @@ Scene randomScene(std::uint64_t seed, int width, int height) {
     Random hung(seed ^ 0x68616e67u);
     if (isLit && scene.world.portals.empty() && hung.oneIn(2))
         hangInCeiling(hung, scene.world, view);
+    widenSliders(scene.world);
     stir(seed, scene.world);
     Random smooth(seed ^ 0x736d6f6fu);
     view.smooth = smooth.oneIn(3);
+    Random detail(seed ^ 0x64657461u);
+    if (detail.oneIn(6)) view.detailThreshold = detail.between(0.2, 5.0);
+    view.textures = !detail.oneIn(30);
     return scene;
 }
 

@@ -28,7 +28,9 @@ struct View {
     int width = 1;
     int height = 1;
     bool detail = true;
+    double detailThreshold = 1.0;  // of level 1, and then doubled; in texels a pixel
     bool smooth = false;
+    bool textures = true;  // off: only the last level
     bool light = true;
     bool fog = true;
     bool baked = true;

@@ -104,11 +104,13 @@ const std::vector<Image>& Tracer::levelsOf(const Sight& sight) const {
 }
 
 int Tracer::level(const Sight& sight, double depthFactor) const {
-    if (!view_.detail || sight.texture == kNoTexture) return 0;
+    if (sight.texture == kNoTexture) return 0;
     const std::vector<Image>& levels = levelsOf(sight);
     const int last = static_cast<int>(levels.size()) - 1;
+    if (!view_.textures) return last;
+    if (!view_.detail) return 0;
     int level = 0;
-    for (double threshold = 1.0;
+    for (double threshold = view_.detailThreshold;
          level < last && sight.depth * depthFactor * levels[0].height > threshold * distance_;
          threshold *= 2.0)
         ++level;
