@@ -9,19 +9,32 @@
 
 namespace slicecast {
 
-// The rows in which a block touches a neighbour of its kind, both see-through: there are no faces
-// between them.
-PlainWalk::Rows PlainWalk::joinedRows(const Block& block, const CellBlueprint& neighbour,
-                                      GridTile tile, const Crossing& border) const {
-    if (!areJoined(*frame_.world, *block.blueprint, neighbour)) return {0, 0};
-    return {endRow(neighbour, Face::top, tile, block.level, border),
-            endRow(neighbour, Face::bottom, tile, block.level, border)};
+// The rows in which a block touches a block of its kind in a tile, both see-through: there are no
+// faces between them.
+PlainWalk::Rows PlainWalk::joinedRows(const Block& block, const CellBlueprint& other, GridTile tile,
+                                      const Crossing& border) const {
+    return {endRow(other, Face::top, tile, block.level, border),
+            endRow(other, Face::bottom, tile, block.level, border)};
+}
+
+// The same for its neighbour beyond the border at which rays enter the tile, or leave it.
+PlainWalk::Rows PlainWalk::joinedNear(const Block& block, const Crossing& border,
+                                      bool isAhead) const {
+    const GridTile tile = tileAcross(border, isAhead ? 1 : -1);
+    const CellBlueprint& next = cell(map(), tile, block.level);
+    const bool isOne =
+        areOneAlong(*frame_.world, *block.blueprint, next, border.alongX ? Axis::x : Axis::y);
+    if (!(isOne || areJoined(*frame_.world, *block.blueprint, next)) ||
+        !plansHere().touches(next.plan, tile.x, tile.y, border, isAhead))
+        return {0, 0};
+    return joinedRows(block, next, tile, border);
 }
 
 // The same behind a portal, where two blocks join only if both fill their tiles and have no slopes.
 PlainWalk::Rows PlainWalk::joinedBeyond(const Block& block, const CellBlueprint& neighbour,
                                         const Crossing& border) const {
-    return block.blueprint->isBox() && neighbour.isBox()
+    return block.blueprint->isBox() && neighbour.isBox() &&
+                   areJoined(*frame_.world, *block.blueprint, neighbour)
                ? joinedRows(block, neighbour, here(), border)
                : Rows{0, 0};
 }
@@ -30,10 +43,7 @@ PlainWalk::Rows PlainWalk::joinedBeyond(const Block& block, const CellBlueprint&
 PlainWalk::Rows PlainWalk::joinedBefore(const Block& block) const {
     if (enter_.inner) return {0, 0};
     if (isArrival()) return joinedBeyond(block, cellBeforePortal(block.level), enter_);
-    const GridTile tile = tileAcross(enter_, -1);
-    const CellBlueprint& before = cell(map(), tile, block.level);
-    if (!plansHere().touches(before.plan, tile.x, tile.y, enter_, false)) return {0, 0};
-    return joinedRows(block, before, tile, enter_);
+    return joinedNear(block, enter_, false);
 }
 
 // The block that rays are about to enter; it may be behind a portal of the whole tile, or of a
@@ -46,10 +56,7 @@ PlainWalk::Rows PlainWalk::joinedBehind(const Block& block) const {
         return mayPass() ? joinedBeyond(block, exitCell(ofTile, block.level), leave_) : Rows{0, 0};
     const CellBlueprint& behind = cell(map(), tile, block.level);
     const PortalId portal = behind.face(enteredFace(leave_)).portal;
-    if (portal == kNoPortal || !mayPass()) {
-        if (!plansHere().touches(behind.plan, tile.x, tile.y, leave_, true)) return {0, 0};
-        return joinedRows(block, behind, tile, leave_);
-    }
+    if (portal == kNoPortal || !mayPass()) return joinedNear(block, leave_, true);
     const Rows window = {rowOf(behind, Face::top, tile, block.level, leave_),
                          rowOf(behind, Face::bottom, tile, block.level, leave_)};
     const Rows joined = joinedBeyond(block, exitCell(portal, block.level), leave_);

@@ -145,6 +145,7 @@ private:
     // ---- plain_passages.cpp
     Rows joinedRows(const Block& block, const CellBlueprint& other, GridTile tile,
                     const Crossing& border) const;
+    Rows joinedNear(const Block& block, const Crossing& border, bool isAhead) const;
     Rows joinedBeyond(const Block& block, const CellBlueprint& other, const Crossing& border) const;
     Rows joinedBefore(const Block& block) const;
     Rows joinedBehind(const Block& block) const;

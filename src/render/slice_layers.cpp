@@ -45,12 +45,17 @@ const CellBlueprint* SliceWalk::joinedBefore(const Block& block) const {
 // The block on the other side of a border that joins `block`.
 const CellBlueprint* SliceWalk::joinedNear(const Block& block, Border border) const {
     const bool isAhead = border == Border::leave;
+    const Crossing& at = isAhead ? leave_ : enter_;
     const int x = isAhead ? behindX(border) : beforeX(border);
     const int y = isAhead ? behindY(border) : beforeY(border);
-    const CellBlueprint* const joined = joinedAt(block, *map_, x, y, block.level);
+    const CellBlueprint* joined = joinedAt(block, *map_, x, y, block.level);
+    if (joined == nullptr && block.blueprint->mover >= 0) {
+        const CellBlueprint& next = frame_.world->blueprints[map_->cell(x, y, block.level)];
+        if (areOneAlong(*frame_.world, *block.blueprint, next, at.alongX ? Axis::x : Axis::y))
+            joined = &next;
+    }
     if (joined == nullptr || joined->plan.isWhole()) return joined;
-    return plansHere().touches(joined->plan, x, y, isAhead ? leave_ : enter_, isAhead) ? joined
-                                                                                       : nullptr;
+    return plansHere().touches(joined->plan, x, y, at, isAhead) ? joined : nullptr;
 }
 
 // Whether a block and the one above it, or below, are parts of one mover: then nothing is between

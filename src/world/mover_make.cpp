@@ -114,8 +114,6 @@ bool Maker::makeShaft(int mapIndex, const Run& run, const Motion& motion, int mo
         CellBlueprint part = instanceOf(world, run.blueprints[static_cast<std::size_t>(source)]);
         lowEdge(part, motion.axis) = Coordinate{0};
         highEdge(part, motion.axis) = tileEdge(1);
-        // No face stands still at a tile's border while the block goes through it
-        if (motion.isSideways()) part.join = true;
         part.mover = mover;
         world.blueprints.push_back(std::move(part));
     }

@@ -24,6 +24,11 @@ bool areJoined(const World& world, const CellBlueprint& a, const CellBlueprint& 
            &originOf(world, a) == &originOf(world, b);
 }
 
+bool areOneAlong(const World& world, const CellBlueprint& a, const CellBlueprint& b, Axis axis) {
+    return a.seeThrough && b.seeThrough && a.motion >= 0 && areOneMover(a, b) &&
+           world.motions[static_cast<std::size_t>(a.motion)].axis == axis;
+}
+
 void markSeeThrough(World& world) {
     for (CellBlueprint& blueprint : world.blueprints) {
         const auto& faces = blueprint.faces;

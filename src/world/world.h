@@ -70,6 +70,11 @@ CellBlueprint instanceOf(const World& world, BlueprintId id);
 // Whether two see-through blocks are of one kind, so that there are no faces between them.
 bool areJoined(const World& world, const CellBlueprint& a, const CellBlueprint& b);
 
+// Whether two side by side along an axis are see-through parts of one block that moves along it.
+// They join whatever `join` says, so that no face stands still while the block goes through a
+// border.
+bool areOneAlong(const World& world, const CellBlueprint& a, const CellBlueprint& b, Axis axis);
+
 // Parts of one mover that a border between levels separates count as one block.
 inline bool areOneMover(const CellBlueprint& a, const CellBlueprint& b) {
     return a.mover >= 0 && a.mover == b.mover;

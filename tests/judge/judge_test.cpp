@@ -155,6 +155,7 @@ TEST(Judge, SmallPictures) {
                          {"risen texture", 100000},
                          {"joined kin", 3000},
                          {"whole mover", 3000},
+                         {"whole slider", 3000},
                          {"inside a mover", 3000},
                          {"empty mover", 100000},
                          {"floor mirror", 300000},

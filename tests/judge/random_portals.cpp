@@ -277,7 +277,6 @@ void placeSlider(World& world, Map& map, const Slider& slider) {
         (alongX ? part.textureEast : part.textureSouth) = slider.offset;
         part.mover = slider.mover;
         part.motion = slider.motion;
-        part.join = true;
         map.setCell(at.x, at.y, at.level, id);
         const bool isEmpty = within(slider.high) <= within(slider.low);
         if (isEmpty) map.occupied[map.tileIndex(at.x, at.y)] &= ~(1u << at.level);
@@ -319,6 +318,30 @@ void addSliders(Random& random, World& world, bool coarse) {
         }
     }
     markPlans(world);
+}
+
+void widenSliders(World& world) {
+    for (Map& map : world.maps) {
+        for (int y = map.depth - 1; y >= 0; --y) {
+            for (int x = map.width - 1; x >= 0; --x) {
+                for (int level = 0; level < map.levels; ++level) {
+                    const std::size_t cell = map.cellIndex(x, y, level);
+                    const CellBlueprint& block = world.blueprints[map.cells[cell]];
+                    if (!movesSideways(world, block) || block.slopes.any() || block.mover % 2 != 0)
+                        continue;
+                    const Axis axis = world.motions[static_cast<std::size_t>(block.motion)].axis;
+                    const int besideX = axis == Axis::x ? x : x + 1;
+                    const int besideY = axis == Axis::x ? y + 1 : y;
+                    if (!map.contains(besideX, besideY)) continue;
+                    const std::size_t beside = map.cellIndex(besideX, besideY, level);
+                    if (map.cells[beside] != kEmptyCell) continue;
+                    const bool isEmpty = !map.isOccupied(x, y, level);
+                    map.setCell(besideX, besideY, level, map.cells[cell]);
+                    if (isEmpty) map.occupied[map.tileIndex(besideX, besideY)] &= ~(1u << level);
+                }
+            }
+        }
+    }
 }
 
 bool isExitFromLevelFace(const World& world, int map, int x, int y) {
@@ -446,7 +469,6 @@ void addRamps(Random& random, World& world, bool coarse, bool wedges) {
             ramp.origin = like.origin == kEmptyCell ? shape : like.origin;
             ramp.mover = 9000 + static_cast<int>(world.blueprints.size());
             ramp.motion = motions + static_cast<int>(axis);
-            if (axis != Axis::z) ramp.join = true;
             // Two cells along the axis, in one or two rows beside each other
             std::vector<Cell> cells;
             bool isTaken = false;

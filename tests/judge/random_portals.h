@@ -36,6 +36,9 @@ void addUneven(Random& random, World& world, bool coarse);
 // between tiles. In the place of blocks without portals.
 void addSliders(Random& random, World& world, bool coarse);
 
+// Beside some of them, more rows of the same mover, where cells are empty.
+void widenSliders(World& world);
+
 // Blocks with slopes as those that move are at some moment, up, east or south, in one or two tiles
 // or levels. In the place of blocks without portals. With `wedges`, only those that lie on the
 // floor and move along their slope.

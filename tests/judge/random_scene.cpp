@@ -753,6 +753,7 @@ Scene tieScene(std::uint64_t seed, int width, int height) {
     Random hung(seed ^ 0x68616e67u);
     if (isLit && scene.world.portals.empty() && hung.oneIn(2))
         hangInCeiling(hung, scene.world, view);
+    widenSliders(scene.world);
     stir(seed, scene.world);
     Random smooth(seed ^ 0x736d6f6fu);
     view.smooth = smooth.oneIn(3);

@@ -405,6 +405,16 @@ bool Tracer::Walk::join(BlueprintId a, BlueprintId b) const {
            originOf(a) == originOf(b);
 }
 
+// The same beside each other; a block that moves that way is one, though borders cut it.
+bool Tracer::Walk::joinBeside(BlueprintId a, BlueprintId b, Tile mapStep) const {
+    if (join(a, b)) return true;
+    if (!isOneBlock(a, b) || !blueprint(a).seeThrough || !blueprint(b).seeThrough) return false;
+    const int motion = blueprint(a).motion;
+    if (motion < 0) return false;
+    const Axis axis = world_.motions[static_cast<std::size_t>(motion)].axis;
+    return axis == (mapStep.x != 0 ? Axis::x : Axis::y);
+}
+
 // What moves is one block, though a border between levels cuts it.
 bool Tracer::Walk::isOneBlock(BlueprintId a, BlueprintId b) const {
     return a != kEmptyCell && b != kEmptyCell && blueprint(a).mover >= 0 &&
@@ -525,7 +535,8 @@ Tracer::Walk::Then Tracer::Walk::passGrid(const Border& leave) {
                                            : enteredFace(Place::turned(enter_.step, place_.turn));
                 if (enter_.inner) note(isCut ? Note::cutEntered : Note::planEntered);
                 if (block.slopes.any()) note(Note::slopeSide);
-                if (!(arrived_ ? joinThrough(left_, id) : join(left_, id))) {
+                const Tile mapStep = Place::turned(enter_.step, place_.turn);
+                if (!(arrived_ ? joinThrough(left_, id) : joinBeside(left_, id, mapStep))) {
                     if (block.face(entered).portal != kNoPortal)
                         note(arrived_ ? Note::faceAtExit : Note::faceAtLimit);
                     pushFace(block, level, entered, enter_.meeting, false);
@@ -779,10 +790,12 @@ bool Tracer::Walk::leaveTile(const Border& leave) {
         if (block.face(leftFace(mapStep)).portal != kNoPortal) {
             note(Note::leftThroughPortal);
         } else if (leave.along > 0.0) {
-            if (!(passes ? joinThrough(left, ahead) : join(left, ahead))) {
+            if (!(passes ? joinThrough(left, ahead) : joinBeside(left, ahead, mapStep))) {
                 pushFace(block, inside_, leftFace(mapStep), leave.meeting, true);
             } else if (passes) {
                 note(Note::joinedByPortal);
+            } else if (!join(left, ahead)) {
+                note(Note::wholeSlider);
             } else if (left != ahead) {
                 note(Note::joinedKin);
             }

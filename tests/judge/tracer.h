@@ -114,6 +114,7 @@ enum class Note : std::uint8_t {
     joinedMover,        // two faces left out between parts of one thing that moves
     joinedKin,     // two faces left out between blocks of one blueprint, one of which has portals
     wholeMover,    // two faces that do not join, between parts of one thing that moves
+    wholeSlider,   // two that would not join, between parts of what moves that way
     insideMover,   // went on from one part to the other inside an opaque one
     risenTexture,  // on a side of what moves
     emptyMover,    // went through a tile in which a block is empty at the moment

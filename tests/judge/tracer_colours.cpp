@@ -315,6 +315,7 @@ const char* nameOf(Note note) {
                                          "joined mover",
                                          "joined kin",
                                          "whole mover",
+                                         "whole slider",
                                          "inside a mover",
                                          "risen texture",
                                          "empty mover",

@@ -148,6 +148,7 @@ private:
         return blueprint(id).origin == kEmptyCell ? id : blueprint(id).origin;
     }
     bool join(BlueprintId a, BlueprintId b) const;
+    bool joinBeside(BlueprintId a, BlueprintId b, Tile mapStep) const;
     // Through a portal, a block that fills only a part of its tile joins none, nor one with slopes.
     bool joinThrough(BlueprintId a, BlueprintId b) const {
         const auto isPlain = [&](BlueprintId id) {

@@ -104,6 +104,38 @@ TEST(Joins, MoversHaveNoInnerFaces) {
     }
 }
 
+// A pane, or two beside each other, that moves east by half a tile.
+World slidingPanes(int count, bool join) {
+    World world = emptyWorld(7, 7, 2, plain("floor", kWhite));
+    const BlueprintId pane = addBlock(world, addTexture(world, plain("pane", kPane)),
+                                      toCoordinate(0.1), toCoordinate(0.9));
+    world.blueprints[pane].motion = 0;
+    world.blueprints[pane].join = join;
+    world.blueprints[pane].name = "pane";
+    world.motions.push_back(
+        {.name = "slide", .axis = Axis::x, .from = toCoordinate(0.5), .to = toCoordinate(0.5)});
+    for (int i = 0; i < count; ++i) world.maps[0].setCell(3, 3 + i, 0, pane);
+    markSeeThrough(world);
+    EXPECT_TRUE(makeMovers(world).empty());
+    markPlans(world);
+    return world;
+}
+
+// Along its way it is one block, whatever `join` says; beside each other they are two.
+TEST(Joins, SlidersHaveNoFacesAlongTheirWay) {
+    const Eye along = eyeAt(1.2, 3.4, 0.4, 5.0);
+    const Eye across = eyeAt(3.8, 1.2, 0.4, 85.0);
+    for (const bool classic : {true, false}) {
+        const auto apart = [&](int count, const Eye& eye) {
+            return differences(drawEast(slidingPanes(count, false), eye, classic),
+                               drawEast(slidingPanes(count, true), eye, classic));
+        };
+        EXPECT_EQ(apart(1, along), 0) << classic;
+        EXPECT_EQ(apart(1, across), 0) << classic;
+        EXPECT_GT(apart(2, across), 0) << classic;
+    }
+}
+
 // From inside an opaque block one sees its far faces, and nothing at the border between levels.
 TEST(Joins, MoversAreHollowFromInside) {
     constexpr Colour kUpper = {200, 0, 0, 255};

@@ -139,11 +139,16 @@ private:
     // Whether two see-through blocks touch here, with no faces between them.
     bool isJoined(const TileSpan& span, const Block& block, Face face) const {
         const CellBlueprint& blueprint = *block.blueprint;
+        const Axis axis = face == Face::top || face == Face::bottom  ? Axis::z
+                          : face == Face::east || face == Face::west ? Axis::x
+                                                                     : Axis::y;
         const auto joins = [&](const CellBlueprint* neighbour) {
-            return neighbour != nullptr && areJoined(world_, blueprint, *neighbour) &&
+            return neighbour != nullptr &&
+                   (areJoined(world_, blueprint, *neighbour) ||
+                    areOneAlong(world_, blueprint, *neighbour, axis)) &&
                    neighbour->bottom == blueprint.bottom && neighbour->top == blueprint.top;
         };
-        if (face == Face::top || face == Face::bottom) {
+        if (axis == Axis::z) {
             const bool spansLevel = blueprint.bottom.raw == 0 && blueprint.top == tileEdge(1);
             return goesOn(span, block, face == Face::top) ||
                    (spansLevel &&
