@@ -159,10 +159,10 @@ private:
         return vista_->planeLooks.find(plane, frame_.textures[plane.texture], frame_.detail);
     }
     bool countLayer();  // false if the column has kMaxLayers already
-    // True if the block could only add layers, and the column has kMaxLayers.
+    // True if the block could only add layers, and the column has kMaxLayers. A mirror is opaque.
     bool isBeyondLayers(const Block& block) const {
         return found_->layers == kMaxLayers && block.blueprint->seeThrough &&
-               !block.blueprint->hasPortals;
+               !block.blueprint->hasPortals && block.blueprint->face(Face::top).mirror == 0;
     }
 
     // ---- slice_cover.cpp

@@ -269,13 +269,23 @@ TEST(Judge, PicturesOfLargeTextures) {
                          {"large texture, lit", 20000}});
 }
 
+// More see-through things than a column can show.
+TEST(Judge, PicturesOfCrowds) {
+    const Verdict verdict = judgeAll(crowdedScene, 1, 130 / kShare, kCrowdSizes);
+    report("pictures of crowds", verdict);
+    expectNoComplaint(verdict);
+    expectSeen(verdict, {{"without the farthest layers", 300}});
+}
+
 // Each was wrong once: light beside a slope that had moved; a face left out behind a portal,
 // because the block before it would have joined if it filled its tile; for an eye within a sloped
-// block, the underside of the next part of the same mover.
+// block, the underside of the next part of the same mover; mirrors on see-through blocks behind
+// more see-through things than can be shown.
 TEST(Judge, PicturesThatWereWrongOnce) {
     Verdict verdict = judgeAll(randomScene, 3408, 1, kSmallSizes);
     for (const std::uint64_t seed : {9702, 13108})
         verdict.add(judgeAll(alongBorderScene, seed, 1, kOddSizes));
+    verdict.add(judgeAll(crowdedScene, 361, 1, kCrowdSizes));
     report("pictures that were wrong once", verdict);
     expectNoComplaint(verdict);
 }

@@ -37,6 +37,7 @@ constexpr Kind kKinds[] = {{"random", randomScene, kSmallSizes, 1000, kBatch, tr
                            {"wide", wideLandScene, kSmallSizes, 1, kBatch / 4, true},
                            {"along", alongBorderScene, kOddSizes, 1, kBatch / 4, false},
                            {"large", largeTextureScene, kSmallSizes, 121, kBatch / 10, false},
+                           {"crowd", crowdedScene, kCrowdSizes, 1, kBatch / 10, false},
                            {"tie", tieScene, kSmallSizes, 2601, kBatch, false}};
 
 struct Search {

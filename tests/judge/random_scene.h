@@ -28,6 +28,10 @@ Scene alongBorderScene(std::uint64_t seed, int width, int height);
 // Some textures have 256 or 512 texels a side, in a narrow view.
 Scene largeTextureScene(std::uint64_t seed, int width, int height);
 
+// A long hall full of see-through blocks, most of which do not join: many columns meet more of them
+// than can be shown.
+Scene crowdedScene(std::uint64_t seed, int width, int height);
+
 // Wide land with a block, another floor, a piece of ceiling or an object here and there.
 Scene wideLandScene(std::uint64_t seed, int width, int height);
 

@@ -26,6 +26,9 @@ inline constexpr std::array<Size, 4> kLargeSizes = {
 // Odd widths: these pictures have a middle column.
 inline constexpr std::array<Size, 3> kOddSizes = {{{33, 120}, {97, 53}, {7, 90}}};
 
+// Small ones: each pixel meets hundreds of things.
+inline constexpr std::array<Size, 3> kCrowdSizes = {{{33, 60}, {48, 33}, {12, 120}}};
+
 using MakeScene = Scene (*)(std::uint64_t seed, int width, int height);
 
 // Judges the picture of one seed. A refused picture counts as an unexcused pixel.

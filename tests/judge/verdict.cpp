@@ -132,49 +132,111 @@ bool excusable(const Tracer& tracer, double x, double y, const std::vector<Sight
     return sights.size() > 1 && canShow(all, found);
 }
 
-// What a ray passed, as far as it tells the see-through things of one column from each other.
-using SeenThrough = std::tuple<int, bool, int, Sight::Kind, Face, bool, LitFace, int>;
+// What a ray meets, as far as it tells the things of one column from each other.
+using Thing = std::tuple<int, bool, int, Sight::Kind, Face, bool, LitFace, int>;
 
-SeenThrough thingOf(const Sight& sight) {
+Thing thingOf(const Sight& sight) {
     return {sight.map,  sight.reflected,  sight.portals, sight.kind,
             sight.face, sight.fromInside, sight.litFace, sight.object};
 }
 
-// Whether the rays of a column meet so many see-through things, in mirrors or before them, that the
-// farther ones are left out.
-bool isFull(const Tracer& tracer, double x, int height, bool reflected) {
-    // Of 192 runs of rows, the most that there are: two that touch look like one.
-    constexpr int kThreeQuarters = 144;
-    int runs = 0;
-    std::set<SeenThrough> before;
-    std::vector<Sight> sights;
-    for (int y = 0; y < height && runs < kThreeQuarters; ++y) {
-        tracer.look(x, y + 0.5, sights);
-        std::set<SeenThrough> here;
-        for (const Sight& sight : sights) {
-            if (sight.seeThrough && sight.reflected == reflected) here.insert(thingOf(sight));
-        }
-        for (const SeenThrough& thing : here) runs += before.count(thing) == 0 ? 1 : 0;
-        before = std::move(here);
-    }
-    return runs >= kThreeQuarters;
+// What counts as a run, and may be left out; floors never are.
+bool isLayer(const Sight& sight) {
+    return sight.seeThrough && sight.kind != Sight::Kind::floor;
 }
 
-// Whether the colour is shown without the farthest see-through things, and the column is full of
-// them.
-bool isWithoutTheFarthest(const Tracer& tracer, double x, int height, std::vector<Sight> sights,
-                          Colour found) {
-    for (const bool reflected : {true, false}) {
-        std::vector<Sight> left = sights;
-        bool isShown = false;
-        for (std::size_t i = left.size(); i-- > 0 && !isShown;) {
-            if (!left[i].seeThrough || left[i].reflected != reflected) continue;
-            left.erase(left.begin() + static_cast<std::ptrdiff_t>(i));
-            isShown = shows(tracer, left, found);
+// Whether the rays of a column may meet so many see-through runs of rows, in mirrors or before
+// them, that further ones are left out. Counts as many as there can be: what is behind opaque
+// texels may count or not, so a run ends wherever another thing hides it; and what objects, or
+// edges within the tile, may divide counts for each of them.
+class Crowds {
+public:
+    Crowds(const Tracer& tracer, int height) : tracer_(tracer), height_(height) {}
+
+    bool isFull(double x, bool reflected) {
+        const auto [found, isNew] = known_.try_emplace({x, reflected}, false);
+        if (isNew) found->second = runs(x, reflected) >= kThreeQuarters;
+        return found->second;
+    }
+
+private:
+    // Of 192 runs, the most that there are: two that touch look like one.
+    static constexpr int kThreeQuarters = 144;
+
+    int runs(double x, bool reflected) const {
+        std::map<Thing, int> runsOf;
+        std::set<int> objects;
+        std::map<std::array<int, 3>, std::set<LitFace>> sides;  // by map and tile
+        using Run = std::tuple<Thing, Thing, LitFace>;  // what, hidden by what, in which mirror
+        std::set<Run> before;
+        std::vector<Sight> sights;
+        const Thing none = {};
+        for (int y = 0; y < height_; ++y) {
+            tracer_.look(x, y + 0.5, sights);
+            std::set<Run> here;
+            Thing hidden = none;
+            LitFace mirror;
+            for (const Sight& sight : sights) {
+                const Thing thing = thingOf(sight);
+                if (sight.kind == Sight::Kind::object) objects.insert(sight.object);
+                if (sight.kind == Sight::Kind::side)
+                    sides[{sight.map, sight.litFace.x, sight.litFace.y}].insert(sight.litFace);
+                if (sight.mirror > 0) mirror = sight.litFace;
+                if (!isLayer(sight) || sight.reflected != reflected) continue;
+                here.insert({thing, hidden, mirror});
+                if (hidden == none && tracer_.colour(sight).a == 255) hidden = thing;
+            }
+            for (const Run& run : here) runsOf[std::get<0>(run)] += before.count(run) == 0 ? 1 : 0;
+            before = std::move(here);
         }
-        if (left.size() == sights.size() || !isFull(tracer, x, height, reflected)) continue;
-        if (isShown) return true;
-        sights = std::move(left);  // all of them may be missing, and others before the mirror
+        int sum = 0;
+        for (const auto& [thing, count] : runsOf) {
+            const auto kind = std::get<Sight::Kind>(thing);
+            const LitFace& face = std::get<LitFace>(thing);
+            const bool isPlane = kind != Sight::Kind::side && kind != Sight::Kind::object;
+            const auto cuts = sides.find({std::get<0>(thing), face.x, face.y});
+            const std::size_t more =
+                !isPlane ? 0 : objects.size() + (cuts == sides.end() ? 0 : cuts->second.size());
+            sum += count * (1 + static_cast<int>(more));
+        }
+        return sum;
+    }
+
+    const Tracer& tracer_;
+    int height_;
+    std::map<std::pair<double, bool>, bool> known_;
+};
+
+// Whether the colour is shown without the farthest see-through things, before a mirror and in it,
+// where the column is full of them.
+bool isWithoutTheFarthest(const Tracer& tracer, Crowds& crowds, double x,
+                          const std::vector<Sight>& sights, Colour found) {
+    Choices all;
+    addChoices(tracer, sights, all);
+    const auto numberOf = [&](bool reflected) {
+        const auto number = std::count_if(sights.begin(), sights.end(), [&](const Sight& sight) {
+            return isLayer(sight) && sight.reflected == reflected;
+        });
+        return number > 0 && crowds.isFull(x, reflected) ? number : 0;
+    };
+    const std::ptrdiff_t most = numberOf(false);
+    const std::ptrdiff_t mostReflected = numberOf(true);
+    for (std::ptrdiff_t out = 0; out <= most; ++out) {
+        for (std::ptrdiff_t outReflected = 0; outReflected <= mostReflected; ++outReflected) {
+            std::ptrdiff_t rest = out;
+            std::ptrdiff_t restReflected = outReflected;
+            Choices left;
+            for (std::size_t i = sights.size(); i-- > 0;) {
+                std::ptrdiff_t& toGo = sights[i].reflected ? restReflected : rest;
+                if (isLayer(sights[i]) && toGo > 0) {
+                    --toGo;
+                } else {
+                    left.push_back(all[i]);
+                }
+            }
+            std::reverse(left.begin(), left.end());
+            if (canShow(left, found)) return true;
+        }
     }
     return false;
 }
@@ -224,6 +286,7 @@ void Verdict::add(const Verdict& other) {
 Verdict judge(const World& world, const View& view, const Pixel* pixels, int pitch,
               const std::string& name) {
     const Tracer tracer(world, view);
+    Crowds crowds(tracer, view.height);
     Verdict verdict;
     std::vector<Sight> sights;
     Notes notes;
@@ -287,7 +350,7 @@ Verdict judge(const World& world, const View& view, const Pixel* pixels, int pit
                 ++verdict.excused;
                 continue;
             }
-            if (isWithoutTheFarthest(tracer, x + 0.5, view.height, sights, found)) {
+            if (isWithoutTheFarthest(tracer, crowds, x + 0.5, sights, found)) {
                 ++verdict.coverage["without the farthest layers"];
                 continue;
             }
