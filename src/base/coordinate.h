@@ -40,6 +40,12 @@ constexpr Coordinate toCoordinate(double units) {
     return {static_cast<std::int32_t>(whole)};
 }
 
+// The place at a part of the way, 0 to 1, from one to another. Only the way is rounded, so all that
+// goes the same way goes alike: an eye, and the mover under it.
+constexpr Coordinate between(Coordinate from, Coordinate to, double part) {
+    return from + toCoordinate((to - from).value() * part);
+}
+
 // Where a tile begins: its west or north border, or the base of a level. From -32767 to 32767.
 constexpr Coordinate tileEdge(int tile) {
     return {tile * 65536};

@@ -37,11 +37,6 @@ PlayerInput playerInput(const Input& input, const SessionOptions& options) {
             .bob = options.bob};
 }
 
-// Adds only the rounded difference, so that an eye and the mover under it are rounded alike.
-Coordinate between(Coordinate a, Coordinate b, double fraction) {
-    return a + toCoordinate((b - a).value() * fraction);
-}
-
 // Turns the shorter way.
 double headingBetween(double a, double b, double fraction) {
     const double turn = wrapDegrees(b - a + 180.0) - 180.0;
@@ -90,6 +85,7 @@ Session::Session(World world) : world_(std::move(world)), lights_(world_.maps) {
 void Session::step(const Input& input) {
     clock_.begin();
     previous_ = player_;
+    noteObjects(world_);
     const Input kept = recorder_ != nullptr ? recorder_->step(input) : input;
     const GateAsk ask = gateAsk(kept);
     stepAround(ask);
@@ -144,13 +140,11 @@ void Session::stepAround(const GateAsk& ask) {
 
 bool Session::draw(const Picture& picture, double fraction, LightWork lightWork) {
     clock_.begin();
-    // Movers are shown between the steps like the eye; otherwise they would tremble for a player
-    // who rides on one.
-    showMovers(world_, fraction);
+    // Movers and objects are shown between the steps like the eye; otherwise they would tremble for
+    // a player who rides on one.
+    const ShownBetween shown(world_, fraction);
     drawnFraction_ = fraction;
-    const bool isDrawn = drawView(eye(fraction), picture, lightWork);
-    showMovers(world_, 1.0);
-    return isDrawn;
+    return drawView(eye(fraction), picture, lightWork);
 }
 
 int Session::drawSome(const Picture& picture, double fraction, int firstColumn,
@@ -159,7 +153,7 @@ int Session::drawSome(const Picture& picture, double fraction, int firstColumn,
     if (classicColumns(picture.width) > 0)
         return draw(picture, fraction, lightWork) ? picture.width : -1;
     clock_.begin();
-    showMovers(world_, fraction);
+    const ShownBetween shown(world_, fraction);
     drawnFraction_ = fraction;
     const Eye seen = eye(fraction);
     RenderOptions options = options_.render;
@@ -170,7 +164,6 @@ int Session::drawSome(const Picture& picture, double fraction, int firstColumn,
         drawOverlays(seen, picture);
         clock_.endOverlays();
     }
-    showMovers(world_, 1.0);
     return next;
 }
 

@@ -68,8 +68,9 @@ public:
     void step(const Input& input);
 
     // Draws the view at `fraction` of the way between the last two steps, and the overlays that are
-    // on. False if the picture cannot be drawn (see Renderer::draw).
-    // Light beyond `lightWork` comes late: see RenderOptions.
+    // on. False if the picture cannot be drawn (see Renderer::draw). Afterwards the world is what
+    // it was before, even if an exception ends the drawing. Light beyond `lightWork` comes late:
+    // see RenderOptions.
     bool draw(const Picture& picture, double fraction = 1.0, LightWork lightWork = kAllLight);
 
     // Draws a part of such a picture, from a column on, within milliseconds. Returns the column

@@ -363,12 +363,10 @@ void resetMovers(World& world) {
     }
 }
 
-void showMovers(World& world, double fraction) {
-    const double part = fraction < 1.0 ? std::max(fraction, 0.0) : 1.0;
+void showMovers(World& world, double part) {
     for (const Mover& mover : world.movers) {
         if (mover.offset == mover.previousOffset) continue;
-        const Coordinate way = mover.offset - mover.previousOffset;
-        place(world, mover, mover.previousOffset + toCoordinate(way.value() * part));
+        place(world, mover, between(mover.previousOffset, mover.offset, part));
     }
 }
 

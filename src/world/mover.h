@@ -75,9 +75,8 @@ bool moveTo(World& world, Mover& mover, Coordinate offset, std::span<Body> bodie
 // Restores the initial places.
 void resetMovers(World& world);
 
-// Shows the movers at `fraction` (0 to 1) of the way between the last two steps, for a picture.
-// Reset to 1 before the next step.
-void showMovers(World& world, double fraction);
+// Shows the movers at a part of the way between the last two steps: see showBetween.
+void showMovers(World& world, double part);
 
 // A box around where it is at present. Of several shafts the first tells its place along the axis.
 Box boundsOf(const World& world, const Mover& mover);

@@ -169,6 +169,7 @@ void startObjects(World& world) {
         motion.lookSteps = static_cast<int>(i) % kLookSteps + 1;
         moving.anySolid = moving.anySolid || motion.solid;
     }
+    noteObjects(world);
     moving.motionsAtStart = moving.motions;
     moving.objectsAtStart.clear();
     for (Map& map : world.maps) {
@@ -198,6 +199,25 @@ void stepObjects(World& world, const Body* player) {
         showState(world, motion, before);
         noteMoved(world, motion);
     }
+}
+
+void noteObjects(World& world) {
+    for (ObjectMotion& motion : world.movingObjects.motions)
+        motion.before = placeOf(movedObject(world, motion));
+}
+
+void showObjects(World& world, double part) {
+    MovingObjects& moving = world.movingObjects;
+    if (part == 1.0 && !moving.areBetween) return;
+    for (ObjectMotion& motion : moving.motions) {
+        Object& object = movedObject(world, motion);
+        if (!moving.areBetween) motion.now = placeOf(object);
+        const auto& [x, y, z] = motion.now;
+        object.x = between(motion.before.x, x, part);
+        object.y = between(motion.before.y, y, part);
+        object.z = between(motion.before.z, z, part);
+    }
+    moving.areBetween = part < 1.0;
 }
 
 void resetObjects(World& world) {

@@ -40,6 +40,13 @@ struct GroundPoint {
     Coordinate y;
 };
 
+// Where an object is on its map.
+struct ObjectPlace {
+    Coordinate x;
+    Coordinate y;
+    Coordinate z;
+};
+
 struct ObjectMotion {
     enum class Kind : std::uint8_t {
         wander,  // walks ahead and changes its heading now and then; bounces off obstacles, axis by
@@ -76,6 +83,10 @@ struct ObjectMotion {
     // Sprites while it walks, and while it stands alert; its own while it stands calm.
     std::optional<SpriteId> walking;
     std::optional<SpriteId> alert;
+
+    // For pictures between steps. Through a portal it leaps: then it was where it came out.
+    ObjectPlace before;  // the last step
+    ObjectPlace now;     // only while another place is shown
 
     // Set by startObjects, and by every step.
     Coordinate homeX;  // where it began; for a circle, the centre
@@ -142,6 +153,7 @@ struct MovingObjects {
     std::vector<std::vector<Object>> objectsAtStart;  // by map; empty if nothing moves or is found
     std::vector<std::vector<PathPoint>> paths;
     bool anySolid = false;
+    bool areBetween = false;           // shown elsewhere than they are
     std::vector<CrowdBody> crowd;      // of the present step, by map, row and tile
     std::vector<CrowdBody> crowdRoom;  // to sort them
     std::int64_t crowdLooks = 0;       // so often one has looked at another in the present step
@@ -164,6 +176,11 @@ void startObjects(World& world);
 void stepObjects(World& world, const Body* player = nullptr);
 
 void resetObjects(World& world);
+
+// Notes where all moving objects are, before anything of a step moves them.
+void noteObjects(World& world);
+// Shows them at a part of the way from there: see showBetween.
+void showObjects(World& world, double part);
 
 // addBodies lists the bodies of all moving objects in a fixed order for movers and gates;
 // liftObjects applies how these have lifted them.

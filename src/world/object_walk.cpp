@@ -87,6 +87,7 @@ void put(World& world, ObjectMotion& motion, const Traveller& body, GroundPoint 
     motion.eye = body.eye.z - body.box.bottom;
     motion.behind = body.behind;
     if (body.leaps == 0) return;
+    motion.before = placeOf(object);
     turnArrow(body.turn, fromHome.x, fromHome.y);
     turnArrow(body.turn, motion.wayX, motion.wayY);
     motion.homeX = object.x - fromHome.x;

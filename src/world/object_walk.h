@@ -6,6 +6,10 @@
 
 namespace slicecast {
 
+inline ObjectPlace placeOf(const Object& object) {
+    return {object.x, object.y, object.z};
+}
+
 Object& movedObject(World& world, const ObjectMotion& motion);
 const Object& movedObject(const World& world, const ObjectMotion& motion);
 

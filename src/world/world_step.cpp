@@ -42,6 +42,12 @@ void stepWorld(World& world, std::span<Body> bodies, const GateAsk& ask) {
     stepGates(world, bodies, ask);
 }
 
+void showBetween(World& world, double fraction) {
+    const double part = fraction < 1.0 ? std::max(fraction, 0.0) : 1.0;
+    showMovers(world, part);
+    showObjects(world, part);
+}
+
 void resetWorld(World& world) {
     resetMovers(world);
     resetGates(world);

@@ -13,7 +13,7 @@
 #include "phases.h"
 #include "processor_time.h"
 #include "views.h"
-#include "world/mover.h"
+#include "world/world_step.h"
 
 #include <algorithm>
 #include <cstdio>
@@ -86,7 +86,7 @@ std::optional<MeasuredView> prepare(const View& view, Canvas& usual, Canvas& lar
     };
     if (!draw(usual)) return refuse("cannot be drawn");
     World world = view.session->world().copy();
-    showMovers(world, view.fraction);
+    showBetween(world, view.fraction);
 
     auto phased = std::make_unique<PhasedFrame>(std::move(world), view.session->eye(view.fraction),
                                                 view.session->options().render);

@@ -7,6 +7,7 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <stdexcept>
 #include <utility>
 #include <vector>
 
@@ -77,6 +78,71 @@ TEST(SessionObjects, MoveRideAndRestart) {
     EXPECT_EQ(objects[0].x, toCoordinate(4.5));
     EXPECT_EQ(objects[1].z, toCoordinate(0.5));
     EXPECT_NE(session.fingerprint(), before) << "but for the steps it is the same";
+}
+
+// While a picture is drawn, the clock is asked: it looks at the world that is shown.
+struct Shown {
+    Coordinate walkerX;
+    Coordinate riderZ;
+    Coordinate liftTop;
+};
+
+Shown shownNow(const World& world) {
+    const std::vector<Object>& objects = world.maps[0].objects;
+    return {objects[0].x, objects[1].z, world.blueprints[world.maps[0].cell(9, 6, 0)].top};
+}
+
+TEST(SessionObjects, AreDrawnBetweenTheStepsLikeTheLiftUnderThem) {
+    Session session(livelyYards());
+    for (int i = 0; i < 100; ++i) session.step({});
+    const Shown before = shownNow(session.world());
+    session.step({});
+    const Shown now = shownNow(session.world());
+    ASSERT_NE(before.walkerX, now.walkerX);
+    ASSERT_NE(before.riderZ, now.riderZ);
+    Shown shown;
+    session.setClock([&] {
+        shown = shownNow(session.world());
+        return 0.0;
+    });
+    Image image(4, 4);
+    for (const double fraction : {0.0, 0.25, 0.5, 0.9, 1.0}) {
+        ASSERT_TRUE(session.draw({image.pixels.data(), 4, 4, 4}, fraction));
+        EXPECT_EQ(shown.walkerX, between(before.walkerX, now.walkerX, fraction));
+        EXPECT_EQ(shown.riderZ, between(before.riderZ, now.riderZ, fraction));
+        EXPECT_EQ(shown.riderZ, shown.liftTop);
+        EXPECT_EQ(shownNow(session.world()).walkerX, now.walkerX) << "afterwards";
+        EXPECT_EQ(shownNow(session.world()).riderZ, now.riderZ);
+        EXPECT_EQ(shownNow(session.world()).liftTop, now.liftTop);
+    }
+    // Back at the start they come from nowhere
+    session.reset();
+    const Shown start = shownNow(session.world());
+    ASSERT_TRUE(session.draw({image.pixels.data(), 4, 4, 4}, 0.5));
+    EXPECT_EQ(shown.walkerX, start.walkerX);
+    EXPECT_EQ(shown.liftTop, start.liftTop);
+}
+
+TEST(SessionObjects, AreWhereTheyWereIfDrawingFails) {
+    Session session(livelyYards());
+    for (int i = 0; i < 100; ++i) session.step({});
+    const Shown now = shownNow(session.world());
+    Shown shown = now;
+    int asked = 0;
+    session.setClock([&] {
+        if (++asked == 2) {
+            shown = shownNow(session.world());
+            throw std::runtime_error("stopped");
+        }
+        return 0.0;
+    });
+    Image image(4, 4);
+    EXPECT_THROW(session.draw({image.pixels.data(), 4, 4, 4}, 0.5), std::runtime_error);
+    EXPECT_NE(shown.walkerX, now.walkerX);
+    EXPECT_NE(shown.liftTop, now.liftTop);
+    EXPECT_EQ(shownNow(session.world()).walkerX, now.walkerX);
+    EXPECT_EQ(shownNow(session.world()).riderZ, now.riderZ);
+    EXPECT_EQ(shownNow(session.world()).liftTop, now.liftTop);
 }
 
 }  // namespace

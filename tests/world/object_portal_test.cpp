@@ -170,6 +170,7 @@ TEST(ObjectPortals, TurnWaysWithThem) {
 }
 
 TEST(ObjectPortals, NobodyIsEverInsideABlockOnEitherSideAndResetRestoresAll) {
+    constexpr Coordinate kLongestStep = 0.1_u;
     std::int64_t free = 0;
     std::int64_t leaps = 0;
     for (int seed = 1; seed <= kPortalSeeds; ++seed) {
@@ -215,8 +216,14 @@ TEST(ObjectPortals, NobodyIsEverInsideABlockOnEitherSideAndResetRestoresAll) {
             std::vector<int> before;
             for (const ObjectMotion& motion : world.movingObjects.motions)
                 before.push_back(motion.map);
+            noteObjects(world);
             stepObjects(world);
             for (std::size_t i = 0; i < before.size(); ++i) {
+                // No picture between two steps shows it between two sides of a portal
+                const ObjectMotion& motion = world.movingObjects.motions[i];
+                const Object& object = objectOf(world, motion);
+                ASSERT_LE(std::abs(object.x.raw - motion.before.x.raw), kLongestStep.raw);
+                ASSERT_LE(std::abs(object.y.raw - motion.before.y.raw), kLongestStep.raw);
                 if (!wasFree[i]) continue;
                 ++free;
                 leaps += world.movingObjects.motions[i].map != before[i];
