@@ -13,8 +13,10 @@ Face leftFace(std::size_t axis, bool up) {
                        : (up ? Face::top : Face::bottom);
 }
 
-bool isBetweenLevels(Face left) {
-    return left == Face::top || left == Face::bottom;
+// Whether parts of a mover join where one is left through a face for the other.
+bool areOneAcross(const World& world, const CellBlueprint& a, const CellBlueprint& b, Face left) {
+    if (left == Face::top || left == Face::bottom) return areOneMover(a, b);
+    return areOneAlong(world, a, b, left == Face::east || left == Face::west ? Axis::x : Axis::y);
 }
 
 }  // namespace
@@ -131,7 +133,7 @@ bool LightScene::meetCell(Travel& travel, const LightVector& cell, LightMoment e
         const bool joins =
             travel.joinsAfter && passage.joinsBefore && travel.leaves == passage.in &&
             (areJoined(*world_, *travel.inside, block) ||
-             (isBetweenLevels(travel.leaving) && areOneMover(*travel.inside, block)));
+             areOneAcross(*world_, *travel.inside, block, travel.leaving));
         if (!joins) leaveBlock(travel);
     }
     travel.inside = &block;

@@ -366,15 +366,24 @@ Rgb LightTracer::through(const Vector& from, const Vector& way, bool endless) {
     for (const Met& left : met) {
         if (!isBefore(left.out, end)) continue;
         const CellBlueprint& block = world_.blueprints[left.solid.id];
-        // Parts of a mover are one block where one stands on the other
-        const bool isBetweenLevels =
-            left.left == static_cast<int>(Face::top) || left.left == static_cast<int>(Face::bottom);
+        // Parts of a mover are one block where one stands on the other, and along its motion
+        const Axis border = left.left == static_cast<int>(Face::top) ||
+                                    left.left == static_cast<int>(Face::bottom)
+                                ? Axis::z
+                            : left.left == static_cast<int>(Face::east) ||
+                                    left.left == static_cast<int>(Face::west)
+                                ? Axis::x
+                                : Axis::y;
+        const bool isOneThere =
+            border == Axis::z ||
+            (block.motion >= 0 &&
+             world_.motions[static_cast<std::size_t>(block.motion)].axis == border);
         const bool joins = std::any_of(met.begin(), met.end(), [&](const Met& next) {
             const CellBlueprint& other = world_.blueprints[next.solid.id];
             if (compared(next.in, left.out) != 0) return false;
             const bool isOne = areOneMover(block, other);
-            sawMoverApart = sawMoverApart || (isOne && !isBetweenLevels && !block.join);
-            return areJoined(world_, block, other) || (isBetweenLevels && isOne);
+            sawMoverApart = sawMoverApart || (isOne && !isOneThere && !block.join);
+            return areJoined(world_, block, other) || (isOneThere && isOne);
         });
         if (!joins) tint(block.faces[static_cast<std::size_t>(left.left)].texture);
     }
