@@ -27,11 +27,12 @@ bool isFit(const Scene& scene) {
 }
 
 // What fills only a part of its tile joins nothing through portals, and has none. Blocks with
-// slopes do not join through them either.
+// slopes do not join through them either; and a slope that has gone along with a part of a tile
+// does not reach over all of it.
 void fillTiles(World& world) {
     for (CellBlueprint& blueprint : world.blueprints) {
         blueprint.plan = {};
-        if (blueprint.seeThrough) blueprint.slopes = {};
+        if (blueprint.seeThrough || movesSideways(world, blueprint)) blueprint.slopes = {};
     }
     markPlans(world);
 }

@@ -399,22 +399,21 @@ void vary(Random& random, World& world) {
     markSeeThrough(world);
 }
 
-// The eye below the ceiling, and round about it blocks whose undersides lie in the ceiling's plane
-// and look as it does, where the map holds nothing special; numbers of their own, so that the rest
-// of the scene stays what it is.
-void hangInCeiling(Random& random, World& world, View& view) {
+// Round about an eye below the ceiling, blocks whose undersides lie in the ceiling's plane and look
+// as it does, where the map holds nothing special; numbers of their own, so that the rest of the
+// scene stays what it is.
+void hangInCeiling(Random& random, World& world, const View& view) {
     std::vector<bool> isLevel = levelBlueprints(world);
     isLevel[kEmptyCell] = false;
     Map& map = world.maps[static_cast<std::size_t>(view.map)];
     const int level = map.ceiling.height.tile();
-    if (map.ceiling.tiles.empty() || level >= map.levels) return;
+    if (map.ceiling.tiles.empty() || level >= map.levels || view.z >= map.ceiling.height) return;
     const auto near = [&](Coordinate eye, int tiles) {
         return std::clamp(eye.tile() + random.between(-3, 3), 0, tiles - 1);
     };
     const int tileX = near(view.x, map.width);
     const TextureId texture = map.ceiling.tiles[map.tileIndex(tileX, near(view.y, map.depth))];
     if (texture == kNoTexture) return;
-    view.z = {random.between(1, map.ceiling.height.raw)};
     CellBlueprint block;
     block.bottom = map.ceiling.height - tileEdge(level);
     for (FaceBlueprint& face : block.faces) face.texture = texture;
@@ -699,8 +698,7 @@ Scene randomScene(std::uint64_t seed, int width, int height) {
     if (variants.oneIn(6)) vary(variants, scene.world);
     if (isLit) light(lamps, scene.world);
     Random hung(seed ^ 0x68616e67u);
-    if (isLit && scene.world.portals.empty() && hung.oneIn(2))
-        hangInCeiling(hung, scene.world, view);
+    if (isLit && scene.world.portals.empty()) hangInCeiling(hung, scene.world, view);
     widenSliders(scene.world);
     stir(seed, scene.world);
     Random smooth(seed ^ 0x736d6f6fu);
@@ -751,8 +749,7 @@ Scene tieScene(std::uint64_t seed, int width, int height) {
     if (variants.oneIn(6)) vary(variants, scene.world);
     if (isLit) light(lamps, scene.world);
     Random hung(seed ^ 0x68616e67u);
-    if (isLit && scene.world.portals.empty() && hung.oneIn(2))
-        hangInCeiling(hung, scene.world, view);
+    if (isLit && scene.world.portals.empty()) hangInCeiling(hung, scene.world, view);
     widenSliders(scene.world);
     stir(seed, scene.world);
     Random smooth(seed ^ 0x736d6f6fu);
