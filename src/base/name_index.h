@@ -24,12 +24,13 @@ private:
     };
 
     std::size_t placeOf(std::string_view name) const;
-    void grow();
+    void rebuild(std::size_t places);
 
     // A name stands at the place of its hash, or in the next free one after it. At least half of
     // the places are free.
     std::vector<Entry> entries_;  // as many as a power of two
     std::size_t count_ = 0;
+    std::uint32_t basis_ = 0;  // of the hash; another one where many names have come together
 };
 
 }  // namespace slicecast

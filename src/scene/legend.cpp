@@ -23,51 +23,48 @@ std::string shownCharacter(char32_t c) {
 
 }  // namespace
 
-Legend::Legend(std::uint16_t dot, std::uint16_t space) {
+Legend::Legend(std::uint16_t dot, std::uint16_t space) : dot_(dot), space_(space) {
     ascii_.fill(kNone);
-    ascii_['.'] = dot;
-    ascii_[' '] = space;
+}
+
+std::int32_t Legend::entryOf(char32_t character) const {
+    if (character < ascii_.size()) return ascii_[character];
+    const auto other =
+        std::lower_bound(others_.begin(), others_.end(), std::pair(character, std::int32_t{0}));
+    return other != others_.end() && other->first == character ? other->second : kNone;
 }
 
 void Legend::set(char32_t character, std::uint16_t id) {
-    if (!find(character)) order_.push_back(character);
+    const std::int32_t known = entryOf(character);
+    if (known != kNone) {
+        entries_[static_cast<std::size_t>(known)].second = id;
+        return;
+    }
+    const auto entry = static_cast<std::int32_t>(entries_.size());
+    entries_.emplace_back(character, id);
     if (character < ascii_.size()) {
-        ascii_[character] = id;
+        ascii_[character] = entry;
     } else {
-        const auto place = std::lower_bound(others_.begin(), others_.end(),
-                                            std::pair(character, std::uint16_t{0}));
-        if (place != others_.end() && place->first == character) {
-            place->second = id;
-        } else {
-            others_.insert(place, {character, id});
-        }
+        const std::pair other(character, entry);
+        others_.insert(std::lower_bound(others_.begin(), others_.end(), other), other);
     }
 }
 
 std::optional<std::uint16_t> Legend::find(char32_t character) const {
-    if (character < ascii_.size()) {
-        if (ascii_[character] != kNone) return static_cast<std::uint16_t>(ascii_[character]);
-    } else {
-        const auto other = std::lower_bound(others_.begin(), others_.end(),
-                                            std::pair(character, std::uint16_t{0}));
-        if (other != others_.end() && other->first == character) return other->second;
-    }
+    if (character == U'.') return dot_;
+    if (character == U' ') return space_;
+    const std::int32_t entry = entryOf(character);
+    if (entry != kNone) return entries_[static_cast<std::size_t>(entry)].second;
     if (takesAny_) return std::uint16_t{0};
     return std::nullopt;
-}
-
-std::vector<std::pair<char32_t, std::uint16_t>> Legend::entries() const {
-    std::vector<std::pair<char32_t, std::uint16_t>> entries;
-    for (const char32_t character : order_) entries.emplace_back(character, *find(character));
-    return entries;
 }
 
 std::string Legend::characters() const {
     constexpr std::size_t kMostShown = 24;
     std::string list;
-    for (std::size_t i = 0; i < std::min(order_.size(), kMostShown); ++i)
-        add(list, {shownCharacter(order_[i]), ", "});
-    if (order_.size() > kMostShown) list += "..., ";
+    for (std::size_t i = 0; i < std::min(entries_.size(), kMostShown); ++i)
+        add(list, {shownCharacter(entries_[i].first), ", "});
+    if (entries_.size() > kMostShown) list += "..., ";
     return words(list, "'.' or a space");
 }
 

@@ -26,16 +26,20 @@ public:
     void takeAny() { takesAny_ = true; }
 
     // What has been set, in that order.
-    std::vector<std::pair<char32_t, std::uint16_t>> entries() const;
+    const std::vector<std::pair<char32_t, std::uint16_t>>& entries() const { return entries_; }
 
     // `'#', '=', '.' or a space`, for messages.
     std::string characters() const;
 
 private:
     static constexpr std::int32_t kNone = -1;
-    std::array<std::int32_t, 128> ascii_;
-    std::vector<std::pair<char32_t, std::uint16_t>> others_;  // by character
-    std::vector<char32_t> order_;
+    std::int32_t entryOf(char32_t character) const;  // index into entries_
+
+    std::uint16_t dot_;
+    std::uint16_t space_;
+    std::array<std::int32_t, 128> ascii_;                    // index into entries_
+    std::vector<std::pair<char32_t, std::int32_t>> others_;  // by character, the same
+    std::vector<std::pair<char32_t, std::uint16_t>> entries_;
     bool takesAny_ = false;
 };
 

@@ -1,5 +1,20 @@
-// Limits on scene files, besides those of worlds. They bound the memory that a hostile file can
-// take; no scene that a person makes comes near them.
+// Limits on scene files, besides those of worlds. They bound the memory and the time that a hostile
+// file can take; no scene that a person makes comes near them.
+//
+// Loading takes at most the sum of these, each times a constant, and the time of the images, which
+// is that of their texels. See tests/scene/costs_test.cpp.
+//
+//     text        bytes * log2(kMaxSceneValues)          reading it; keys and names are looked up
+//     cells       bytes * kMaxLevels                     the cells of all maps, of which empty levels
+//                                                        take no text
+//     blocks      bytes                                  what stands in a cell is looked at a few
+//                                                        times: movers, gates, room, entries
+//     movers      kMaxBlueprints + kMaxMovingCells       parts, and the cells that they reach
+//     sowing      bytes * kMaxSowings                    each kind looks at all tiles
+//     areas       kMaxNotices * kMaxMapWidth             see rooms.h
+//     portals     kMaxPortals * kMaxPortalWays
+//     legends     kMaxMaps * kMaxLegend
+//     colours     kMaxPlainTextures                      each is a texture
 #pragma once
 
 #include "world/limits.h"
@@ -22,7 +37,9 @@ inline constexpr std::size_t kMaxMessageLength = 300;  // characters
 inline constexpr std::size_t kMaxPathPoints = 64;      // of an object that patrols
 inline constexpr std::size_t kMaxLegend = 4096;        // characters of one legend
 inline constexpr int kMaxSowings =
-    64;  // kinds of objects sown over one map: each looks at all of its tiles
+    32;  // kinds of objects sown over one map: each looks at all of its tiles
+inline constexpr int kMaxPlainTextures =
+    4096;  // textures that are a colour: 15 characters of text make 22 KB of texels
 inline constexpr std::size_t kMaxFaults = 1000;            // faults listed; more do not help
 inline constexpr std::int64_t kMaxSceneCells = kMaxCells;  // of all maps together
 inline constexpr std::int64_t kMaxSceneTexels =

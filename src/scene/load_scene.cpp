@@ -20,8 +20,22 @@ public:
     ImageReader(const SceneDescription& description, const SceneFiles& files, EarlyImages& early)
         : description_(description), files_(files), early_(early) {}
 
-    Texture texture(const TextureReference& texture, std::string name) {
+    // A picture that has been made already is copied.
+    Texture texture(const TextureReference& texture, std::string name,
+                    const std::vector<Texture>& made) {
         const ImageReference& reference = texture.image;
+        const auto next = static_cast<std::size_t>(&texture - description_.textures.data());
+        const auto [known, isNew] = textures_.emplace(keyOf(texture), next);
+        if (!isNew && !made[known->second].levels.empty()) {
+            const Texture& like = made[known->second];
+            if (!take(reference,
+                      like.levels[0].texels.size() * static_cast<std::size_t>(like.frames())))
+                return {};
+            Texture copy = like;
+            copy.name = std::move(name);
+            copy.rate = like.frames() > 1 ? texture.rate : 0.0;
+            return copy;
+        }
         const Image image =
             texture.colour ? plain(*texture.colour)
                            : decode(reference, kMaxTextureSize * texture.frames, kMaxTextureSize);
@@ -36,13 +50,24 @@ public:
                                             " square frames side by side, each of ", sizes));
             return {};
         }
-        return take(reference, image)
+        return take(reference, image.pixels.size())
                    ? makeTexture(std::move(name), image, texture.frames, texture.rate)
                    : Texture{};
     }
 
-    Sprite sprite(const TextureReference& sprite, std::string name) {
+    Sprite sprite(const TextureReference& sprite, std::string name,
+                  const std::vector<Sprite>& made) {
         const ImageReference& reference = sprite.image;
+        const auto next = static_cast<std::size_t>(&sprite - description_.sprites.data());
+        const auto [known, isNew] = sprites_.emplace(keyOf(sprite), next);
+        if (!isNew && !made[known->second].frames.empty()) {
+            const Sprite& like = made[known->second];
+            if (!take(reference, like.frames.size() * like.frames[0][0].texels.size())) return {};
+            Sprite copy = like;
+            copy.name = std::move(name);
+            copy.rate = sprite.frames > 1 ? sprite.rate : 0.0;
+            return copy;
+        }
         const Image image =
             decode(reference, kMaxSpriteSide * sprite.frames, kMaxSpriteSide * sprite.views);
         if (image.empty()) return {};
@@ -56,7 +81,7 @@ public:
                 {"a sheet of ", sprite.views, " rows of equal height"});
             return {};
         }
-        return take(reference, image)
+        return take(reference, image.pixels.size())
                    ? makeSprite(std::move(name), image, sprite.frames, sprite.rate, sprite.views)
                    : Sprite{};
     }
@@ -67,10 +92,11 @@ public:
         const auto known = panoramas_.find(reference.file);
         if (known != panoramas_.end()) {
             const Image& image = maps[known->second].sky.panorama;
-            return take(reference, image) ? image : Image{};
+            return take(reference, image.pixels.size()) ? image : Image{};
         }
         Image image = decode(reference, kMaxPanoramaWidth, kMaxPanoramaHeight);
-        if (image.empty() || !isOpaque(reference, image) || !take(reference, image)) return {};
+        if (image.empty() || !isOpaque(reference, image) || !take(reference, image.pixels.size()))
+            return {};
         panoramas_.emplace(reference.file, panorama.map);
         return image;
     }
@@ -125,13 +151,18 @@ private:
         return image;
     }
 
+    // What tells pictures apart that are made of files: rates do not.
+    static std::string keyOf(const TextureReference& picture) {
+        return words(picture.image.file, "\n", picture.frames, " ", picture.views);
+    }
+
     // Counts the image's memory. False if all images together take too much.
-    bool take(const ImageReference& reference, const Image& image) {
-        texels_ += static_cast<std::int64_t>(image.pixels.size());
+    bool take(const ImageReference& reference, std::size_t texels) {
+        texels_ += static_cast<std::int64_t>(texels);
         if (texels_ <= kMaxSceneTexels) return true;
         add(reference, {"which brings the scene's images to ", texels_, " pixels"},
             {"at most ", kMaxSceneTexels});
-        texels_ -= static_cast<std::int64_t>(image.pixels.size());
+        texels_ -= static_cast<std::int64_t>(texels);
         return false;
     }
 
@@ -152,6 +183,8 @@ private:
     const SceneFiles& files_;
     EarlyImages& early_;
     std::vector<Fault> faults_;
+    std::map<std::string, std::size_t> textures_;   // the first texture of a picture
+    std::map<std::string, std::size_t> sprites_;    // the first sprite of a picture
     std::map<std::string, std::size_t> panoramas_;  // the first map that shows the file
     std::int64_t texels_ = 0;
 };
@@ -196,12 +229,13 @@ LoadedScene loadScene(ParsedScene scene, const SceneFiles& files, EarlyImages ea
     ImageReader reader(description, files, early);
     World world = std::move(description.world);
     for (std::size_t i = 0; i < world.textures.size(); ++i) {
-        world.textures[i] =
-            reader.texture(description.textures[i], std::move(world.textures[i].name));
+        world.textures[i] = reader.texture(description.textures[i],
+                                           std::move(world.textures[i].name), world.textures);
         world.textures[i].material = description.textures[i].material;
     }
     for (std::size_t i = 0; i < world.sprites.size(); ++i)
-        world.sprites[i] = reader.sprite(description.sprites[i], std::move(world.sprites[i].name));
+        world.sprites[i] =
+            reader.sprite(description.sprites[i], std::move(world.sprites[i].name), world.sprites);
     for (const PanoramaReference& panorama : description.panoramas) {
         world.maps[panorama.map].sky.panorama = reader.panorama(panorama, world.maps);
     }

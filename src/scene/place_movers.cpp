@@ -53,13 +53,13 @@ void checkGateFrames(Reading& reading, JsonValue maps) {
 // A gate that follows one that stands nowhere waits for ever.
 void warnOfMissingGates(Reading& reading) {
     const World& world = reading.description.world;
-    const auto stands = [&](int kind) {
-        return std::any_of(world.gates.begin(), world.gates.end(),
-                           [&](const Gate& gate) { return gate.kind == kind; });
-    };
+    std::vector<bool> stands(world.gateKinds.size());
+    for (const Gate& gate : world.gates) stands[static_cast<std::size_t>(gate.kind)] = true;
     for (const FollowedGate& followed : reading.followed) {
         const auto id = reading.checker.name(followed.name, reading.blueprints, "blueprint");
-        if (!id || !stands(followed.kind) || stands(world.blueprints[*id].gate)) continue;
+        if (!id || !stands[static_cast<std::size_t>(followed.kind)] ||
+            stands[static_cast<std::size_t>(world.blueprints[*id].gate)])
+            continue;
         reading.checker.warn(
             followed.name,
             {"the gate ", quoted(world.blueprints[*id].name), ", which stands in no map"},

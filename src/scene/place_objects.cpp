@@ -40,14 +40,36 @@ void refuse(Reading& reading, JsonValue value, Sown sown) {
                         {"at most ", most, " in a scene"});
 }
 
+// Adds up the levels that the bodies of the motions from `first` to before `end` reach into. False
+// if all together are too many.
+bool takeLevels(Reading& reading, JsonValue value, std::size_t first, std::size_t end,
+                int& levels) {
+    const World& world = reading.description.world;
+    for (std::size_t i = first; i < end && levels <= kMaxMovingLevels; ++i) {
+        const ObjectMotion& motion = world.movingObjects.motions[i];
+        levels += levelsOf(world.maps[static_cast<std::size_t>(motion.map)]
+                               .objects[static_cast<std::size_t>(motion.object)]);
+    }
+    if (levels <= kMaxMovingLevels) return true;
+    reading.checker.add(value,
+                        {"moving objects that reach into more than ", kMaxMovingLevels,
+                         " levels, counting those before"},
+                        {"at most ", kMaxMovingLevels,
+                         " in a scene: one that is up to a unit high may reach into two"});
+    return false;
+}
+
 }  // namespace
 
 void placeObjects(Reading& reading) {
     World& world = reading.description.world;
+    int levels = 0;  // of moving objects
     for (const PlacedMotion& placed : reading.placedMotions) {
-        if (isSound(reading,
-                    static_cast<std::size_t>(world.movingObjects.motions[placed.motion].map)))
-            checkRoom(reading, placed);
+        if (!isSound(reading,
+                     static_cast<std::size_t>(world.movingObjects.motions[placed.motion].map)))
+            continue;
+        if (!takeLevels(reading, placed.value, placed.motion, placed.motion + 1, levels)) return;
+        checkRoom(reading, placed);
     }
     for (std::size_t map = 0; map < world.maps.size(); ++map) {
         if (!isSound(reading, map)) continue;
@@ -56,11 +78,15 @@ void placeObjects(Reading& reading) {
             if (order.map != map) continue;
             if (!taken) taken.emplace(world.maps[map]);
             const std::size_t finds = world.quest.finds.size();
+            const std::size_t motions = world.movingObjects.motions.size();
             const Sown sown = sowObjects(world, static_cast<int>(map), order.sowing, *taken);
             if (sown != Sown::all) {
                 refuse(reading, order.value, sown);
                 return;
             }
+            if (!takeLevels(reading, order.value, motions, world.movingObjects.motions.size(),
+                            levels))
+                return;
             if (!order.sowing.find) continue;
             const std::size_t count = world.quest.finds.size() - finds;
             if (count == 0) {

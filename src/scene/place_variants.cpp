@@ -3,6 +3,7 @@
 #include "scene/readers.h"
 #include "world/variants.h"
 
+#include <bit>
 #include <numeric>
 #include <vector>
 
@@ -62,7 +63,9 @@ void placeTiles(const Map& map, int level, TextureId except, const Pictures& pic
 void placeCells(const World& world, Map& map) {
     for (int y = 0; y < map.depth; ++y) {
         for (int x = 0; x < map.width; ++x) {
-            for (int level = 0; level < map.levels; ++level) {
+            for (std::uint32_t levels = map.occupied[map.tileIndex(x, y)]; levels != 0;
+                 levels &= levels - 1) {
+                const int level = std::countr_zero(levels);
                 const BlueprintId id = map.cell(x, y, level);
                 const BlueprintId variant = variantAt(id, world.blueprints[id], x, y, level);
                 if (variant != id) map.setCell(x, y, level, variant);

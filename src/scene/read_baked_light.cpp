@@ -3,6 +3,8 @@
 #include "scene/readers.h"
 
 #include <algorithm>
+#include <tuple>
+#include <vector>
 
 namespace slicecast {
 namespace {
@@ -78,15 +80,24 @@ LampId readLamp(Reading& reading, JsonValue value) {
     if (!reading.lamp) reading.lamp = value;
     const LampKind kind = readLampKind(*fields);
     std::vector<LampKind>& kinds = reading.description.world.lampKinds;
-    const auto known = std::find(kinds.begin(), kinds.end(), kind);
-    if (known != kinds.end()) return static_cast<LampId>(known - kinds.begin());
+    const auto order = [&](LampId a, const LampKind& b) {
+        const auto key = [](const LampKind& lamp) {
+            return std::tuple(toPixel(lamp.colour), lamp.strength, lamp.radius);
+        };
+        return key(kinds[a]) < key(b);
+    };
+    std::vector<LampId>& sorted = reading.lampOrder;
+    const auto place = std::lower_bound(sorted.begin(), sorted.end(), kind, order);
+    if (place != sorted.end() && kinds[*place] == kind) return *place;
     if (kinds.size() == kNoLamp) {
         reading.checker.add(value, {"more than ", std::int64_t{kNoLamp}, " kinds of lamp"},
                             "fewer; lamps with equal values are of one kind");
         return kNoLamp;
     }
+    const auto id = static_cast<LampId>(kinds.size());
+    sorted.insert(place, id);
     kinds.push_back(kind);
-    return static_cast<LampId>(kinds.size() - 1);
+    return id;
 }
 
 void readBakedLight(Reading& reading, JsonValue value, bool hasSize, Map& map) {

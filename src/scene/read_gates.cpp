@@ -5,6 +5,8 @@
 #include "world/player.h"
 
 #include <algorithm>
+#include <utility>
+#include <vector>
 
 namespace slicecast {
 namespace {
@@ -96,6 +98,7 @@ int readGate(Reading& reading, JsonValue value) {
 
 void findFollowedGates(Reading& reading) {
     World& world = reading.description.world;
+    std::vector<int> lastFollower(world.gateKinds.size(), -1);  // by kind
     for (const FollowedGate& followed : reading.followed) {
         const auto id = reading.checker.name(followed.name, reading.blueprints, "blueprint");
         if (!id || *id >= world.blueprints.size()) continue;
@@ -108,7 +111,8 @@ void findFollowedGates(Reading& reading) {
         } else if (gate == followed.kind) {
             reading.checker.add(followed.name, "a gate that follows itself",
                                 "the name of another gate's blueprint");
-        } else {
+        } else if (std::exchange(lastFollower[static_cast<std::size_t>(gate)], followed.kind) !=
+                   followed.kind) {
             world.gateKinds[static_cast<std::size_t>(followed.kind)].follows.push_back(gate);
         }
     }

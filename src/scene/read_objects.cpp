@@ -1,5 +1,7 @@
 // Sprites and the objects that show them.
 #include "base/angle.h"
+#include "base/name_index.h"
+#include "base/number_text.h"
 #include "scene/limits.h"
 #include "scene/readers.h"
 
@@ -110,17 +112,27 @@ void readSprites(Reading& reading, JsonValue value) {
         reading.sprites.takeAny();
         return;
     }
+    NameIndex ids;
+    std::vector<std::string> sheets;  // the names in the index; reserved, so that none moves
+    sheets.reserve(value.count());
     for (const JsonValue member : value) {
         if (member.key().empty() || countCharacters(member.key()) > kMaxNameLength) {
             checker.addAtKey(member, {"the name ", quoted(member.key())},
                              {"a name of 1 to ", kMaxNameLength, " characters"});
         }
-        reading.sprites.add(member.key(),
-                            static_cast<SpriteId>(reading.description.sprites.size()));
+        // Names of the same picture are one sprite
+        TextureReference reference = readPicture(checker, member, false);
+        const auto next = static_cast<std::uint32_t>(reading.description.sprites.size());
+        const std::uint32_t id =
+            ids.add(sheets.emplace_back(words(reference.image.file, "\n", reference.frames, " ",
+                                              Shortest{reference.rate}, " ", reference.views)),
+                    next);
+        reading.sprites.add(member.key(), static_cast<SpriteId>(id));
+        if (id != next) continue;
         Sprite sprite;
         sprite.name = std::string(member.key());
         reading.description.world.sprites.push_back(std::move(sprite));
-        reading.description.sprites.push_back(readPicture(checker, member, false));
+        reading.description.sprites.push_back(std::move(reference));
     }
 }
 

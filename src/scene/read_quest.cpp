@@ -1,8 +1,6 @@
 // Finds, messages and the game of a scene.
 #include "scene/limits.h"
 #include "scene/readers.h"
-#include "world/collision.h"
-#include "world/player.h"
 
 #include <algorithm>
 #include <cmath>
@@ -51,42 +49,33 @@ Box readArea(const Fields& fields) {
             toCoordinate(fields.number("top", kAreaHeight, kMaxHeight))};
 }
 
-// True if a crouched player fits somewhere in the area: it tries the middle of each tile, from half
-// a level to the next.
-bool hasRoomIn(const World& world, int map, const Box& area) {
-    const Coordinate half = {32768};
-    const Map& grid = world.maps[static_cast<std::size_t>(map)];
-    const Coordinate top = std::min(area.top, tileEdge(grid.levels));
-    for (int y = area.north.tile(); y < area.south.tile(); ++y) {
-        for (int x = area.west.tile(); x < area.east.tile(); ++x) {
-            for (Coordinate z = area.bottom; z == area.bottom || z < top; z = z + half) {
-                if (isFree(world, map,
-                           bodyBox(tileEdge(x) + half, tileEdge(y) + half, z, kCrouchedHeight)))
-                    return true;
-            }
-        }
-    }
-    return false;
-}
-
 void checkArea(Reading& reading, JsonValue value, int map, const Box& area, const char* what) {
     const Map& grid = reading.description.world.maps[static_cast<std::size_t>(map)];
     if (area.east > tileEdge(grid.width) || area.south > tileEdge(grid.depth)) {
         reading.checker.add(value, {what, " beyond the edge of the map"},
                             {"tiles with x below ", grid.width, " and y below ", grid.depth});
-    } else if (!hasRoomIn(reading.description.world, map, area)) {
+    } else if (!reading.rooms.hasRoomIn(reading.description.world, map, area)) {
         reading.checker.warn(value, {what, " where the player has no room"},
                              "a tile that the player can enter");
     }
 }
 
-// A number of finds, the name of a kind, or a list of names.
+// A number of finds, the name of a kind, or a list of names: one that stands there twice is needed
+// twice.
 Needs readNeeds(Reading& reading, JsonValue value) {
     Checker& checker = reading.checker;
     Needs needs;
+    constexpr std::size_t kNone = kMaxFinds;
+    std::vector<std::size_t> placeOf(reading.description.world.quest.kinds.size(), kNone);
     const auto add = [&](JsonValue name) {
-        if (const auto kind = checker.name(name, reading.findKinds, "find"))
-            needs.kinds.push_back(*kind);
+        const auto kind = checker.name(name, reading.findKinds, "find");
+        if (!kind) return;
+        std::size_t& place = placeOf[*kind];
+        if (place == kNone) {
+            place = needs.kinds.size();
+            needs.kinds.push_back({*kind, 0});
+        }
+        ++needs.kinds[place].count;
     };
     if (value.kind() == JsonValue::Kind::number) {
         needs.any = checker.wholeNumber(value, kCount).value_or(0);
@@ -108,10 +97,10 @@ void checkNeeds(Reading& reading, JsonValue value, const Needs& needs) {
         reading.checker.warn(value, {"a need of ", Counted{needs.any, "find"}},
                              {"at most ", finds, ", as many as there are"});
     }
-    for (const std::uint16_t kind : needs.kinds) {
-        const auto wanted = std::count(needs.kinds.begin(), needs.kinds.end(), kind);
-        const auto there = std::count_if(quest.finds.begin(), quest.finds.end(),
-                                         [kind](const Find& find) { return find.kind == kind; });
+    std::vector<int> thereOf(quest.kinds.size());
+    for (const Find& find : quest.finds) ++thereOf[find.kind];
+    for (const auto& [kind, wanted] : needs.kinds) {
+        const int there = thereOf[kind];
         if (wanted <= there) continue;
         reading.checker.warn(
             value,

@@ -144,6 +144,7 @@ void readTextures(Reading& reading, JsonValue value) {
         reading.textures.takeAny();
         return;
     }
+    int plain = 0;  // textures
     NameIndex ids;
     std::vector<std::string> sheets;  // the names in the index; reserved, so that none moves
     sheets.reserve(value.count());
@@ -161,6 +162,13 @@ void readTextures(Reading& reading, JsonValue value) {
                 static_cast<int>(reference.material), " ", variantsOf(member) ? member.key() : "")),
             next);
         if (id == next) {
+            plain += reference.colour.has_value();
+            if (plain > kMaxPlainTextures) {
+                checker.add(member, {"more than ", kMaxPlainTextures, " colours as textures"},
+                            {"at most ", kMaxPlainTextures, "; equal colours count as one"});
+                reading.textures.takeAny();
+                return;
+            }
             Texture texture;
             texture.name = std::string(member.key());
             reading.description.world.textures.push_back(std::move(texture));

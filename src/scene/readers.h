@@ -7,6 +7,7 @@
 #include "scene/legend.h"
 #include "scene/limits.h"
 #include "scene/names.h"
+#include "scene/rooms.h"
 #include "world/object_sowing.h"
 
 #include <cstdint>
@@ -105,7 +106,9 @@ struct Reading {
     std::vector<PlacedPath> paths = {};
     std::vector<PlacedNeeds> needs = {};
     std::vector<PlacedNotice> placedNotices = {};
-    FoundValue lamp = {};  // the first one of a face or an object
+    Rooms rooms = {};
+    FoundValue lamp = {};                // the first one of a face or an object
+    std::vector<LampId> lampOrder = {};  // the world's kinds of lamp, sorted by what they are
 
     void addAim(Aim::What what, JsonValue value, std::size_t first, std::size_t count = 1) {
         description.aims.push_back({what, first, count, checker.faultAt(value)});

@@ -5,7 +5,7 @@
 namespace slicecast {
 namespace {
 
-constexpr std::size_t kBytesPerMark = 4096;
+constexpr std::size_t kBytesPerMark = 256;
 
 unsigned char byteAt(std::string_view text, std::size_t offset) {
     return static_cast<unsigned char>(text[offset]);

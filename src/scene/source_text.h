@@ -52,7 +52,7 @@ private:
     std::string_view text_;
     std::size_t start_ = 0;
     std::optional<std::size_t> invalidByte_;
-    std::vector<Mark> marks_;  // every few thousand bytes, so that looking up a place never reads
+    std::vector<Mark> marks_;  // every few hundred bytes, so that looking up a place never reads
                                // the whole text again
 };
 

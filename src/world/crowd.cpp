@@ -157,6 +157,7 @@ void pushApart(World& world, Player& player) {
         if (motion.onGround && !keepsToLine) walk(world, motion, way);
         return false;
     });
+    closeGaps(world);
     if (push.x.raw != 0 || push.y.raw != 0) nudge(world, player, push.x, push.y);
 }
 

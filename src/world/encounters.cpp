@@ -1,6 +1,7 @@
 #include "world/encounters.h"
 
 #include "world/body.h"
+#include "world/player.h"
 #include "world/solids.h"
 #include "world/world.h"
 
@@ -12,16 +13,34 @@ namespace {
 
 // How far from a body a portal face may be, in levels: movers may lift the body towards it.
 constexpr int kNearLevels = 2;
+// How far from a body a block may be. A step moves a block by at most 1/30 unit, but several may
+// take a body along, one after another.
+constexpr Coordinate kNear = tileEdge(1);
+static_assert(kFastestMotion * kStepSeconds < 1.0 / 29.0);
 
 struct Finder {
     World& world;
     std::span<const Body> bodies;
 
     void addBody(int body);
-    void addTile(const Map& map, GridTile tile, int body);
-    void addThrough(PortalId id, GridTile tile, int body);
+    void addTile(const Map& map, GridTile tile, const Box& near, int body);
+    void addThrough(const Portal& portal, GridTile tile, const Box& near, int body);
     void addTo(int& first, int body);
 };
+
+// What is near a body.
+Box around(const Box& body) {
+    return {body.west - kNear,  body.east + kNear,   body.north - kNear,
+            body.south + kNear, body.bottom - kNear, body.top + kNear};
+}
+
+// A box of the entry map in the exit map.
+Box carried(const Portal& portal, const Box& box) {
+    const Position a = carried(portal, Position{box.west, box.north, box.bottom});
+    const Position b = carried(portal, Position{box.east, box.south, box.top});
+    return {
+        std::min(a.x, b.x), std::max(a.x, b.x), std::min(a.y, b.y), std::max(a.y, b.y), a.z, b.z};
+}
 
 // Adds the body to a list, unless it is there already.
 void Finder::addTo(int& first, int body) {
@@ -30,13 +49,24 @@ void Finder::addTo(int& first, int body) {
     first = static_cast<int>(world.encounters.size()) - 1;
 }
 
-// All movers and gates of a tile.
-void Finder::addTile(const Map& map, GridTile tile, int body) {
+// All movers and gates of a tile that are near.
+void Finder::addTile(const Map& map, GridTile tile, const Box& near, int body) {
     if (map.changing.empty() || !map.contains(tile.x, tile.y)) return;
-    for (std::uint32_t levels = map.changing[map.tileIndex(tile.x, tile.y)]; levels != 0;
+    const int lowest = std::clamp(near.bottom.tile(), 0, kMaxLevels - 1);
+    const int highest = std::clamp(near.top.tile(), 0, kMaxLevels - 1);
+    const std::uint32_t reached = ~0u << lowest & ~0u >> (kMaxLevels - 1 - highest);
+    for (std::uint32_t levels = map.changing[map.tileIndex(tile.x, tile.y)] & reached; levels != 0;
          levels &= levels - 1) {
+        const int level = std::countr_zero(levels);
         const CellBlueprint& block =
-            world.blueprints[map.cells[map.cellIndex(tile.x, tile.y, std::countr_zero(levels))]];
+            world.blueprints[map.cells[map.cellIndex(tile.x, tile.y, level)]];
+        if (tileEdge(level) + block.bottom > near.top ||
+            tileEdge(level) + block.top < near.bottom ||
+            tileEdge(tile.x) + block.plan.west > near.east ||
+            tileEdge(tile.x) + block.plan.east < near.west ||
+            tileEdge(tile.y) + block.plan.north > near.south ||
+            tileEdge(tile.y) + block.plan.south < near.north)
+            continue;
         if (block.mover >= 0)
             addTo(world.movers[static_cast<std::size_t>(block.mover)].firstEncounter, body);
         if (block.gateIndex >= 0)
@@ -45,34 +75,32 @@ void Finder::addTile(const Map& map, GridTile tile, int body) {
 }
 
 // Those where a portal of the tile leads to.
-void Finder::addThrough(PortalId id, GridTile tile, int body) {
-    if (id == kNoPortal) return;
-    const Portal& portal = world.portals[id];
-    addTile(world.maps[static_cast<std::size_t>(portal.toMap)], carried(portal, tile), body);
+void Finder::addThrough(const Portal& portal, GridTile tile, const Box& near, int body) {
+    addTile(world.maps[static_cast<std::size_t>(portal.toMap)], carried(portal, tile),
+            carried(portal, near), body);
 }
 
 void Finder::addBody(int index) {
     const Body& body = bodies[static_cast<std::size_t>(index)];
     const Map& map = world.maps[static_cast<std::size_t>(body.map)];
-    const SolidRange columns = reached(body.box.west, body.box.east);
-    const SolidRange rows = reached(body.box.north, body.box.south);
+    const Box near = around(body.box);
+    const SolidRange columns = reached(near.west, near.east);
+    const SolidRange rows = reached(near.north, near.south);
     const int lowest = std::max(0, body.box.bottom.tile() - kNearLevels);
     const int highest = std::min(map.levels - 1, body.box.top.tile() + kNearLevels);
     for (int y = rows.first; y <= rows.last; ++y) {
         for (int x = columns.first; x <= columns.last; ++x) {
-            addTile(map, {x, y}, index);
+            addTile(map, {x, y}, near, index);
             if (!body.straddles) continue;
-            if (body.behind.isOn) {
-                const Portal& back = body.behind.back;
-                addTile(world.maps[static_cast<std::size_t>(back.toMap)],
-                        carried(back, GridTile{x, y}), index);
-            }
-            addThrough(map.tilePortal(x, y), {x, y}, index);
+            const auto addPortal = [&](PortalId id) {
+                if (id != kNoPortal) addThrough(world.portals[id], {x, y}, near, index);
+            };
+            if (body.behind.isOn) addThrough(body.behind.back, {x, y}, near, index);
+            addPortal(map.tilePortal(x, y));
             for (int level = lowest; level <= highest; ++level) {
                 const CellBlueprint& block = world.blueprints[map.cell(x, y, level)];
                 if (!block.hasPortals) continue;
-                for (const FaceBlueprint& face : block.faces)
-                    addThrough(face.portal, {x, y}, index);
+                for (const FaceBlueprint& face : block.faces) addPortal(face.portal);
             }
         }
     }

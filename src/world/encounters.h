@@ -3,9 +3,9 @@
 //     findEncounters(world, bodies);
 //     eachEncounter(world.encounters, gate.firstEncounter, [&](int body) { ... });
 //
-// Each mover and each gate has a list of the bodies that reach into a tile of it, at any height, in
-// their own map or through a portal. So a step takes a time that grows with the number of bodies
-// plus the number of movers and gates, not with their product.
+// Each mover and each gate has a list of the bodies that are near a block of it, in their own map
+// or through a portal. So a step takes a time that grows with the number of bodies plus the number
+// of movers and gates, not with their product.
 #pragma once
 
 #include <cstddef>

@@ -185,15 +185,17 @@ bool Footways::canOpen(const Gate& gate) const {
 
 bool Footways::canHold(const Needs& needs) const {
     const Quest& quest = world_.quest;
-    std::vector<std::uint16_t> kinds;
+    std::vector<int> taken(quest.kinds.size());
+    int all = 0;
     for (std::size_t i = 0; i < quest.finds.size(); ++i) {
-        if (takes(i)) kinds.push_back(quest.finds[i].kind);
+        if (!takes(i)) continue;
+        ++taken[quest.finds[i].kind];
+        ++all;
     }
-    if (static_cast<int>(kinds.size()) < needs.any) return false;
-    return std::all_of(needs.kinds.begin(), needs.kinds.end(), [&](std::uint16_t kind) {
-        return std::count(kinds.begin(), kinds.end(), kind) >=
-               std::count(needs.kinds.begin(), needs.kinds.end(), kind);
-    });
+    return all >= needs.any &&
+           std::all_of(needs.kinds.begin(), needs.kinds.end(), [&](const NeededKind& needed) {
+               return taken[needed.kind] >= needed.count;
+           });
 }
 
 // Looks at a tile when somebody comes near for the first time.

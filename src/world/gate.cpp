@@ -51,11 +51,12 @@ void countDown(Gate& gate, const GateKind& kind) {
 }
 
 // Opens when someone comes near, closes when all have left; keys override in between.
-void updateApproach(Gate& gate, const GateKind& kind, std::span<const Body> bodies) {
+void updateApproach(Gate& gate, const GateKind& kind, std::span<const Body> bodies, bool looks) {
     const bool wasNear = gate.isNear;
-    gate.isNear = std::any_of(bodies.begin(), bodies.end(), [&](const Body& body) {
-        return body.map == gate.map && isWithin(gate, body.box, kind.approach);
-    });
+    if (looks)
+        gate.isNear = std::any_of(bodies.begin(), bodies.end(), [&](const Body& body) {
+            return body.map == gate.map && isWithin(gate, body.box, kind.approach);
+        });
     if (gate.isNear) {
         gate.awaySteps = 0;
         if (!wasNear) gate.wantsOpen = true;
@@ -76,26 +77,30 @@ void updateTimer(Gate& gate, const GateKind& kind) {
 }
 
 // Opens and closes as the gates do that it follows; keys override in between.
-void follow(const World& world, Gate& gate, const GateKind& kind) {
-    const auto& kinds = kind.follows;
-    const bool isLed = std::any_of(world.gates.begin(), world.gates.end(), [&](const Gate& leader) {
-        return std::find(kinds.begin(), kinds.end(), leader.kind) != kinds.end() &&
-               leader.progress == world.gateKinds[static_cast<std::size_t>(leader.kind)].steps;
-    });
+void follow(Gate& gate, const GateKind& kind) {
+    const bool isLed = kind.openLeaders > 0;
     if (isLed != gate.isLed) gate.wantsOpen = isLed;
     gate.isLed = isLed;
 }
 
+// Sets how far a gate is open, and tells the kinds that follow it.
+void setProgress(World& world, Gate& gate, const GateKind& kind, int progress) {
+    const int change = int{progress == kind.steps} - int{gate.progress == kind.steps};
+    gate.progress = progress;
+    if (change == 0) return;
+    for (const int follower : kind.followers)
+        world.gateKinds[static_cast<std::size_t>(follower)].openLeaders += change;
+}
+
 // All that opens and closes it.
-void decide(const World& world, Gate& gate, const GateKind& kind, std::span<const Body> bodies,
-            const GateAsk& ask) {
+void decide(Gate& gate, const GateKind& kind, std::span<const Body> bodies, const GateAsk& ask,
+            bool looks) {
     const bool wasWanted = gate.wantsOpen;
     obey(gate, kind, ask);
-    if (kind.opensOnApproach) updateApproach(gate, kind, bodies);
+    if (kind.opensOnApproach) updateApproach(gate, kind, bodies, looks);
     if (kind.everySteps > 0) updateTimer(gate, kind);
-    if (!kind.follows.empty()) follow(world, gate, kind);
-    if (!kind.needs.none() && !holds(world.quest, kind.needs))
-        gate.wantsOpen = gate.isNear = gate.isLed = false;
+    if (!kind.follows.empty()) follow(gate, kind);
+    if (kind.isLocked) gate.wantsOpen = gate.isNear = gate.isLed = false;
     if (kind.once && wasWanted) gate.wantsOpen = true;
 }
 
@@ -115,10 +120,14 @@ bool isInUse(World& world, const Gate& gate, std::span<Body> bodies) {
     return isEntered;
 }
 
-void stepGate(World& world, Gate& gate, std::span<Body> bodies, const GateAsk& ask) {
-    const GateKind& kind = world.gateKinds[static_cast<std::size_t>(gate.kind)];
+const GateKind& kindOf(const World& world, const Gate& gate) {
+    return world.gateKinds[static_cast<std::size_t>(gate.kind)];
+}
+
+void stepGate(World& world, Gate& gate, std::span<Body> bodies, const GateAsk& ask, bool looks) {
+    const GateKind& kind = kindOf(world, gate);
     gate.previousProgress = gate.progress;
-    decide(world, gate, kind, bodies, ask);
+    decide(gate, kind, bodies, ask, looks);
     if (gate.progress == (gate.wantsOpen ? kind.steps : 0)) return;
     const int next = gate.progress + (gate.wantsOpen ? 1 : -1);
     if (gate.mover >= 0) {
@@ -128,7 +137,7 @@ void stepGate(World& world, Gate& gate, std::span<Body> bodies, const GateAsk& a
     } else if (gate.progress == kind.steps && isInUse(world, gate, bodies)) {
         return;
     }
-    gate.progress = next;
+    setProgress(world, gate, kind, next);
     show(world, gate, kind);
 }
 
@@ -155,7 +164,7 @@ int refusedGate(const World& world, const GateAsk& ask, int map, const Box& body
     for (std::size_t i = 0; i < world.gates.size(); ++i) {
         const Gate& gate = world.gates[i];
         const GateKind& kind = world.gateKinds[static_cast<std::size_t>(gate.kind)];
-        if (kind.needs.none() || holds(world.quest, kind.needs)) continue;
+        if (!kind.isLocked) continue;
         if ((isAsked && hears(gate, kind, ask)) ||
             (kind.opensOnApproach && gate.map == map && isWithin(gate, body, kind.approach)))
             return static_cast<int>(i);
@@ -176,14 +185,27 @@ GateOffer gateOffer(const World& world, const GateAsk& ask) {
 }
 
 void stepGates(World& world, std::span<Body> bodies, const GateAsk& ask) {
-    for (Gate& gate : world.gates) stepGate(world, gate, bodies, ask);
+    const auto lookouts = static_cast<std::size_t>(
+        std::count_if(world.gates.begin(), world.gates.end(),
+                      [&](const Gate& gate) { return kindOf(world, gate).opensOnApproach; }));
+    const std::size_t most = kMostApproachLooks / std::max(bodies.size(), std::size_t{1});
+    std::size_t before = lookouts - std::min(lookouts, world.nextLookout);  // its turn comes
+    for (Gate& gate : world.gates) {
+        const bool opensOnApproach = kindOf(world, gate).opensOnApproach;
+        const bool looks = opensOnApproach && before % std::max(lookouts, std::size_t{1}) < most;
+        before += opensOnApproach;
+        stepGate(world, gate, bodies, ask, looks);
+    }
+    world.nextLookout = lookouts > most ? (world.nextLookout + most) % lookouts : 0;
 }
 
 void resetGates(World& world) {
+    world.nextLookout = 0;
     for (Gate& gate : world.gates) {
         const GateKind& kind = world.gateKinds[static_cast<std::size_t>(gate.kind)];
         gate.wantsOpen = kind.startsOpen;
-        gate.progress = gate.previousProgress = kind.startsOpen ? kind.steps : 0;
+        setProgress(world, gate, kind, kind.startsOpen ? kind.steps : 0);
+        gate.previousProgress = gate.progress;
         gate.isNear = false;
         gate.awaySteps = kind.holdSteps;
         gate.waitSteps = 0;

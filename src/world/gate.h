@@ -30,9 +30,10 @@ namespace slicecast {
 struct Body;
 struct World;
 
-// Cells of all gates of a world: a step may compare each of them with each moving body, which are
-// up to 4 million pairs.
-inline constexpr std::size_t kMaxGateCells = 1024;
+inline constexpr std::size_t kMaxGateCells = 1024;  // of all gates of a world
+// How many pairs of a gate that opens on approach, and a body, a step compares. Where there are
+// more, the gates look for bodies in turn.
+inline constexpr std::size_t kMostApproachLooks = 1 << 16;
 inline constexpr double kLongestGate = 60.0;   // seconds; for opening and for holding
 inline constexpr double kFarthestGate = 64.0;  // units; for reach and approach
 
@@ -49,9 +50,14 @@ struct GateKind {
     bool once = false;         // it never closes again
     bool startsOpen = false;
     std::vector<int> follows =
-        {};                   // kinds: it opens when a gate of one is open, closes when none is
+        {};                   // kinds, each once: it opens when a gate of one is open, else closes
     Needs needs = {};         // it opens only for a player who has these finds
     std::string locked = {};  // the message without them; empty for one that says what is missing
+
+    std::vector<int> followers = {};  // kinds that follow it and stand in a map, set by makeGates
+    // Of the present step.
+    bool isLocked = false;  // the player lacks some of the needs; set by the quest
+    int openLeaders = 0;    // gates that it follows and that are open
 };
 
 // A face that shows a sheet: frame 0 is `first`, frame n is `later` + n - 1.

@@ -67,17 +67,14 @@ Gate makeMovingGate(World& world, int moverIndex) {
     gate.map = mover.map;
     gate.kind = world.blueprints[mover.shafts[0].firstPart].gate;
     gate.mover = moverIndex;
-    const auto levels = static_cast<std::size_t>(map.levels);
     for (const Shaft& shaft : mover.shafts) {
         for (int place = shaft.first; place <= shaft.last; ++place) {
             const auto part = static_cast<BlueprintId>(shaft.firstPart + (place - shaft.first));
             gate.parts.push_back(part);
             if (shaft.low >= tileEdge(place + 1) || shaft.high <= tileEdge(place)) continue;
-            for (const std::size_t first : shaft.firstCells) {
-                const std::size_t tile = first / levels;
-                CellPlace at = {static_cast<int>(tile % static_cast<std::size_t>(map.width)),
-                                static_cast<int>(tile / static_cast<std::size_t>(map.width)),
-                                static_cast<int>(first % levels)};
+            for (const RunStart& run : shaft.runs) {
+                const int tile = static_cast<int>(run.tile);
+                CellPlace at = {tile % map.width, tile / map.width, run.level};
                 placeAlong(at, axis) = place;
                 CellBlueprint block = world.blueprints[part];
                 lowEdge(block, axis) = std::max(shaft.low - tileEdge(place), Coordinate{0});
@@ -105,6 +102,22 @@ TextureId framesOf(World& world, TextureId sheet) {
         world.textures.push_back(std::move(texture));
     }
     return later;
+}
+
+// Each kind that stands in a map is told to those that it follows.
+void listFollowers(World& world) {
+    for (GateKind& kind : world.gateKinds) {
+        kind.followers.clear();
+        kind.openLeaders = 0;
+    }
+    std::vector<bool> stands(world.gateKinds.size());
+    for (const Gate& gate : world.gates) stands[static_cast<std::size_t>(gate.kind)] = true;
+    for (std::size_t i = 0; i < stands.size(); ++i) {
+        if (!stands[i]) continue;
+        const int kind = static_cast<int>(i);
+        for (const int leader : world.gateKinds[i].follows)
+            world.gateKinds[static_cast<std::size_t>(leader)].followers.push_back(kind);
+    }
 }
 
 PlacingFault tooManyCells(int map) {
@@ -157,12 +170,14 @@ std::vector<PlacingFault> makeGates(World& world) {
             world.gates.push_back(makeGate(world, static_cast<int>(map), group));
         }
     }
-    if (faults.empty()) resetGates(world);
+    if (!faults.empty()) return faults;
+    listFollowers(world);
+    resetGates(world);
     return faults;
 }
 
 void makeGateFrames(World& world) {
-    std::vector<GateFace> known;  // by sheet
+    std::vector<GateFace> known(world.textures.size());  // by sheet
     for (Gate& gate : world.gates) {
         for (const BlueprintId part : gate.parts) {
             for (int side = 0; side < kFaces; ++side) {
@@ -170,18 +185,16 @@ void makeGateFrames(World& world) {
                 face.part = part;
                 face.face = static_cast<Face>(side);
                 face.first = world.blueprints[part].face(face.face).texture;
-                const auto before =
-                    std::find_if(known.begin(), known.end(),
-                                 [&](const GateFace& other) { return other.first == face.first; });
-                if (before != known.end()) {
-                    face.later = before->later;
-                    face.frames = before->frames;
-                } else {
-                    if (face.first == kNoTexture || !world.textures[face.first].isHeld()) continue;
-                    face.frames = world.textures[face.first].frames();
-                    face.later = framesOf(world, face.first);
-                    known.push_back(face);
+                if (face.first == kNoTexture) continue;
+                GateFace& sheet = known[face.first];
+                if (sheet.first == kNoTexture && world.textures[face.first].isHeld()) {
+                    sheet.first = face.first;
+                    sheet.frames = world.textures[face.first].frames();
+                    sheet.later = framesOf(world, face.first);
                 }
+                if (sheet.first == kNoTexture) continue;
+                face.later = sheet.later;
+                face.frames = sheet.frames;
                 gate.faces.push_back(face);
             }
         }

@@ -1,4 +1,24 @@
-// Limits of all worlds. Each bounds memory or keeps a number within its type.
+// Limits of all worlds. Each bounds memory, keeps a number within its type, or bounds the time of a
+// step.
+//
+// A step takes at most the sum of these, each times a constant. tests/scene/costs_test.cpp has the
+// constants, and compares the sum with what is promised. Limits that are not below are in the
+// header of the same name as their subject.
+//
+//     movers      kMaxMovers                             each moves
+//                 kMaxBlueprints                         parts of movers, one for each place
+//                 kMaxMovingCells                        cells that they get into or leave
+//     objects     kMaxMovingLevels                       what is around a body, for each level
+//                 kMaxMovingObjects * kMostNeighbours    others in its way
+//                 kMaxMovingObjects / kLookSteps         looks for the player
+//                 kMaxObjects                            lists that some have left
+//                 kKeptPortals * kMaxPortals             ways to follow the player
+//                 kMostPortalLooks                       ways of patrols
+//     gates       kMaxGateCells                          each opens or shuts
+//                 kMaxGateCells^2 / 4                    leaders * followers
+//                 kMostApproachLooks                     who is near
+//     the quest   kMaxFinds + kMaxNotices                each is compared with the player
+//                 kMostNoticeLooks                       looks for the player
 #pragma once
 
 #include <cstddef>
@@ -25,6 +45,9 @@ inline constexpr int kMaxSpriteSide = 1024;  // texels
 // Of all maps: a frame looks at each object of a map, once for each vista of that map.
 inline constexpr int kMaxObjects = 65'536;
 inline constexpr int kMaxMovingObjects = 4'096;  // a step looks at the surroundings of each
+// Levels that the bodies of all moving objects may reach into: a step looks at each. One that is at
+// most as high as a level counts as two, because it may be in between.
+inline constexpr int kMaxMovingLevels = 8'192;
 inline constexpr int kMaxPortals = 65'535;  // a PortalId has 16 bits, the last value means none
 // Places that portals lead to, each seen from a point of its own; portals that lead on alike, as
 // the parts of a wide one, count as one. A frame looks for the objects of each place that it sees.

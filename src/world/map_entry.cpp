@@ -38,11 +38,20 @@ MapEntry findMapEntry(const World& world, int mapIndex) {
     const int middleY = map.depth / 2;
     const Coordinate half = {tileEdge(1).raw / 2};
     for (int ring = 0; ring <= std::max(map.width, map.depth); ++ring) {
+        // The tiles of a ring that are on the map: a row, or its two ends
+        const int west = std::max(0, middleX - ring);
+        const int east = std::min(map.width - 1, middleX + ring);
+        const bool hasEnds = middleX - ring >= 0 || middleX + ring < map.width;
         for (int y = std::max(0, middleY - ring); y <= std::min(map.depth - 1, middleY + ring);
              ++y) {
             const bool wholeRow = y == middleY - ring || y == middleY + ring;
-            for (int x = middleX - ring; x <= middleX + ring;
-                 x += wholeRow || ring == 0 ? 1 : 2 * ring) {
+            if (!wholeRow && !hasEnds) {
+                y = middleY + ring - 1;  // the last row is next
+                continue;
+            }
+            const int last = wholeRow ? east : middleX + ring;
+            for (int x = wholeRow ? west : middleX - ring; x <= last;
+                 x += wholeRow ? 1 : 2 * ring) {
                 if (!map.contains(x, y)) continue;
                 if (const std::optional<Coordinate> feet = lowestPlace(world, mapIndex, x, y)) {
                     return {tileEdge(x) + half, tileEdge(y) + half, *feet, true};

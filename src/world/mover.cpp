@@ -92,15 +92,21 @@ Slopes slopesAt(const Shaft& shaft, Axis axis, Coordinate offset, int place) {
     return slopes;
 }
 
-// Updates a shaft's parts; their textures and slopes move with it.
-void placeShaft(World& world, const Mover& mover, const Shaft& shaft, Coordinate offset) {
+// The places of a shaft, as in Shaft::first and last.
+struct Places {
+    int first;
+    int last;
+};
+
+// Updates some of a shaft's parts; their textures and slopes move with it.
+void placeShaft(World& world, const Mover& mover, const Shaft& shaft, Coordinate offset,
+                const Places& places) {
     const Motion& motion = motionOf(world, mover);
     const Extent extent = extentOf(shaft, motion.edges, offset);
     Map& map = world.maps[static_cast<std::size_t>(mover.map)];
-    const auto levels = static_cast<std::size_t>(map.levels);
-    std::size_t further = 0;  // from the first cell
-    int place = shaft.first;
-    for (CellBlueprint& part : partsOf(world, shaft)) {
+    for (int place = places.first; place <= places.last; ++place) {
+        CellBlueprint& part =
+            world.blueprints[static_cast<std::size_t>(shaft.firstPart + place - shaft.first)];
         const auto within = [&](Coordinate at) {
             return std::clamp(at - tileEdge(place), Coordinate{0}, tileEdge(1));
         };
@@ -112,19 +118,39 @@ void placeShaft(World& world, const Mover& mover, const Shaft& shaft, Coordinate
                                   : part.textureRise) = {offset.raw & 0xffff};
         if (shaft.slopes.any()) part.slopes = slopesAt(shaft, motion.axis, offset, place);
         const bool isEmpty = highEdge(part, motion.axis) <= lowEdge(part, motion.axis);
-        if (isEmpty != wasEmpty) {
-            for (const std::size_t first : shaft.firstCells) {
-                const std::size_t cell = first + further;
-                map.occupied[cell / levels] ^= 1u << (cell % levels);
-            }
-        }
-        further += cellStep(map, motion.axis);
-        ++place;
+        if (isEmpty == wasEmpty) continue;
+        const int step = motion.axis == Axis::x ? 1 : motion.axis == Axis::y ? map.width : 0;
+        const auto tiles = static_cast<std::size_t>((place - shaft.first) * step);
+        const int levels = motion.isSideways() ? 0 : place - shaft.first;
+        for (const RunStart& run : shaft.runs)
+            map.occupied[run.tile + tiles] ^= 1u << (run.level + levels);
     }
 }
 
-void place(World& world, const Mover& mover, Coordinate offset) {
-    for (const Shaft& shaft : mover.shafts) placeShaft(world, mover, shaft, offset);
+// Puts a mover where it is with that offset. Both this one and the one that it has are from `first`
+// to `last`, or the other way round: the parts that it touches with none of these are empty, and
+// stay so.
+void place(World& world, const Mover& mover, Coordinate offset, Coordinate first, Coordinate last) {
+    const MovingEdges edges = motionOf(world, mover).edges;
+    for (const Shaft& shaft : mover.shafts) {
+        const Extent a = extentOf(shaft, edges, first);
+        const Extent b = extentOf(shaft, edges, last);
+        const Coordinate low = std::min({a.low, a.high, b.low, b.high});
+        const Coordinate high = std::max({a.low, a.high, b.low, b.high});
+        placeShaft(world, mover, shaft, offset,
+                   {std::max(shaft.first, low.tile()),
+                    std::min(shaft.last, Coordinate{high.raw - 1}.tile())});
+    }
+}
+
+// The shaft of a cell's blueprint; null for a cell that is not of the mover.
+const Shaft* shaftOf(const World& world, const Mover& mover, BlueprintId id) {
+    if (world.blueprints[id].mover != static_cast<int>(&mover - world.movers.data()))
+        return nullptr;
+    const auto next = std::upper_bound(
+        mover.shafts.begin(), mover.shafts.end(), id,
+        [](BlueprintId part, const Shaft& shaft) { return part < shaft.firstPart; });
+    return &*(next - 1);
 }
 
 // Calls action(body) for all bodies that the mover may touch.
@@ -151,6 +177,7 @@ struct Move {
     // Sets the body's push, and isMet if the mover must not get into it.
     void meet(Body& body) const;
     void meetUpright(Body& body) const;
+    void meetShaft(Body& body, const Shaft& shaft, int x, int y) const;
     void meetSideways(Body& body) const;
     void meetLine(Body& body, const Shaft& shaft, int across, int level) const;
 };
@@ -171,41 +198,51 @@ void Move::meet(Body& body) const {
 
 // ---- Up and down
 
+// The shafts that the body may be on: those of the cells below its feet and around it.
 void Move::meetUpright(Body& body) const {
     const Map& map = world.maps[static_cast<std::size_t>(mover.map)];
     const Box& box = body.box;
-    const MovingEdges edges = motionOf(world, mover).edges;
+    if (motionOf(world, mover).edges == MovingEdges::low) return;
     const int west = std::max(mover.west, box.west.tile());
     const int east = std::min(mover.east, Coordinate{box.east.raw - 1}.tile());
     const int north = std::max(mover.north, box.north.tile());
     const int south = std::min(mover.south, Coordinate{box.south.raw - 1}.tile());
+    const int lowest = std::max(0, Coordinate{box.bottom.raw - 1}.tile());
+    const int highest = std::min(map.levels - 1, box.top.tile());
     for (int y = north; y <= south; ++y) {
         for (int x = west; x <= east; ++x) {
-            for (const Shaft& shaft : mover.shafts) {
-                if (map.cells[map.cellIndex(x, y, shaft.first)] != shaft.firstPart) continue;
-                if (edges == MovingEdges::low ||
-                    !isOver(world.blueprints[shaft.firstPart].plan, x, y, box))
-                    continue;
-                Extent before = extentOf(shaft, edges, mover.offset);
-                Extent after = extentOf(shaft, edges, offset);
-                if (shaft.slopes.any()) {
-                    const Extent shared = sharedAlong(
-                        shaft.slopes, world.blueprints[shaft.firstPart].plan, x, y, box);
-                    const Coordinate top = tileEdge(shaft.low.tile()) +
-                                           topBetween(shaft.slopes.top, shared.low, shared.high);
-                    before.high = top + mover.offset;
-                    after.high = top + offset;
-                }
-                const Coordinate rise = groundOf(after) - groundOf(before);
-                const Coordinate above = box.bottom - groundOf(before);
-                if (rise > Coordinate{0} && above >= Coordinate{0} && above < rise)
-                    body.push = std::max(body.push, rise - above);
-                const bool stands = body.rides && above == Coordinate{0} && !before.isEmpty();
-                if (rise < Coordinate{0} && stands && body.push <= Coordinate{0})
-                    body.push = std::min(body.push, rise);
+            const Shaft* last = nullptr;
+            for (int level = lowest; level <= highest; ++level) {
+                const Shaft* const shaft =
+                    shaftOf(world, mover, map.cells[map.cellIndex(x, y, level)]);
+                if (shaft != nullptr && shaft != last) meetShaft(body, *shaft, x, y);
+                last = shaft;
             }
         }
     }
+}
+
+void Move::meetShaft(Body& body, const Shaft& shaft, int x, int y) const {
+    const Box& box = body.box;
+    const MovingEdges edges = motionOf(world, mover).edges;
+    const Plan& plan = world.blueprints[shaft.firstPart].plan;
+    if (!isOver(plan, x, y, box)) return;
+    Extent before = extentOf(shaft, edges, mover.offset);
+    Extent after = extentOf(shaft, edges, offset);
+    if (shaft.slopes.any()) {
+        const Extent shared = sharedAlong(shaft.slopes, plan, x, y, box);
+        const Coordinate top =
+            tileEdge(shaft.low.tile()) + topBetween(shaft.slopes.top, shared.low, shared.high);
+        before.high = top + mover.offset;
+        after.high = top + offset;
+    }
+    const Coordinate rise = groundOf(after) - groundOf(before);
+    const Coordinate above = box.bottom - groundOf(before);
+    if (rise > Coordinate{0} && above >= Coordinate{0} && above < rise)
+        body.push = std::max(body.push, rise - above);
+    const bool stands = body.rides && above == Coordinate{0} && !before.isEmpty();
+    if (rise < Coordinate{0} && stands && body.push <= Coordinate{0})
+        body.push = std::min(body.push, rise);
 }
 
 // How far a met body gets up, after the mover has moved.
@@ -226,12 +263,19 @@ void Move::meetSideways(Body& body) const {
     const int last = std::min(alongX ? mover.south : mover.east, Coordinate{to.raw - 1}.tile());
     const int lowest = std::max(0, Coordinate{box.bottom.raw - 1}.tile());
     const int highest = std::min(map.levels - 1, box.top.tile());
+    const int begin = std::max(alongX ? mover.west : mover.north,
+                               Coordinate{(alongX ? box.west : box.north).raw - 1}.tile());
+    const int end =
+        std::min(alongX ? mover.east : mover.south, (alongX ? box.east : box.south).tile());
     for (int across = first; across <= last; ++across) {
         for (int level = lowest; level <= highest; ++level) {
-            for (const Shaft& shaft : mover.shafts) {
-                const std::size_t cell = alongX ? map.cellIndex(shaft.first, across, level)
-                                                : map.cellIndex(across, shaft.first, level);
-                if (map.cells[cell] == shaft.firstPart) meetLine(body, shaft, across, level);
+            const Shaft* before = nullptr;
+            for (int place = begin; place <= end; ++place) {
+                const std::size_t cell = alongX ? map.cellIndex(place, across, level)
+                                                : map.cellIndex(across, place, level);
+                const Shaft* const shaft = shaftOf(world, mover, map.cells[cell]);
+                if (shaft != nullptr && shaft != before) meetLine(body, *shaft, across, level);
+                before = shaft;
             }
         }
     }
@@ -323,14 +367,14 @@ bool moveTo(World& world, Mover& mover, Coordinate offset, std::span<Body> bodie
     // Try: move it with all bodies on it
     eachBody(world, mover, bodies, [&](Body& body) { Move{world, mover, offset}.meet(body); });
     if (isSideways) moveSideways(world, mover, bodies);
-    place(world, mover, offset);
+    place(world, mover, offset, offset, mover.offset);
     if (!isSideways) {
         eachBody(world, mover, bodies, [&](Body& body) {
             if (body.isMet) body.way = alongAxis(Axis::z, liftOf(world, body));
         });
     }
     if (isAnyInTheWay(world, mover, bodies)) {
-        place(world, mover, mover.offset);
+        place(world, mover, mover.offset, offset, mover.offset);
         return false;
     }
     eachBody(world, mover, bodies, [&](Body& body) {
@@ -359,23 +403,24 @@ void resetMovers(World& world) {
         mover.clock = 0;
         mover.offset = mover.previousOffset =
             motion.hasPeriod() ? offsetAt(motion, 0) : motion.from;
-        place(world, mover, mover.offset);
+        for (const Shaft& shaft : mover.shafts)
+            placeShaft(world, mover, shaft, mover.offset, {shaft.first, shaft.last});
     }
 }
 
 void showMovers(World& world, double part) {
     for (const Mover& mover : world.movers) {
         if (mover.offset == mover.previousOffset) continue;
-        place(world, mover, between(mover.previousOffset, mover.offset, part));
+        place(world, mover, between(mover.previousOffset, mover.offset, part),
+              mover.previousOffset, mover.offset);
     }
 }
 
 Box boundsOf(const World& world, const Mover& mover) {
     const Shaft& shaft = mover.shafts[0];
     const Motion& motion = motionOf(world, mover);
-    const Map& map = world.maps[static_cast<std::size_t>(mover.map)];
     const CellBlueprint& part = world.blueprints[shaft.firstPart];
-    const auto level = static_cast<int>(shaft.firstCells[0] % static_cast<std::size_t>(map.levels));
+    const int level = shaft.runs[0].level;
     Box box = {tileEdge(mover.west),          tileEdge(mover.east + 1),
                tileEdge(mover.north),         tileEdge(mover.south + 1),
                tileEdge(level) + part.bottom, tileEdge(level) + part.top};

@@ -26,6 +26,7 @@
 #include "world/placing_fault.h"
 
 #include <cstddef>
+#include <cstdint>
 #include <span>
 #include <vector>
 
@@ -36,6 +37,13 @@ struct World;
 
 // All cells of movers, with the cells that they reach.
 inline constexpr std::size_t kMaxMovingCells = 1'000'000;
+inline constexpr std::size_t kMaxMovers = 8'192;  // a step moves each
+
+// Where a run of a shaft's cells begins, in the shaft's first place.
+struct RunStart {
+    std::uint32_t tile = 0;  // see Map::tileIndex
+    int level = 0;
+};
 
 struct Shaft {
     Coordinate low;  // along the axis, without the motion's offset
@@ -43,8 +51,8 @@ struct Shaft {
     Slopes slopes;  // of a block with slopes, which is `low.tile()` along the axis, in its cell
     int first = 0;  // the levels, or tiles, that it can reach
     int last = 0;
-    BlueprintId firstPart = kEmptyCell;   // in `first`; those of the next places follow it
-    std::vector<std::size_t> firstCells;  // Map::cellIndex of the cell in `first`, of each run
+    BlueprintId firstPart = kEmptyCell;  // in `first`; those of the next places follow it
+    std::vector<RunStart> runs;
 };
 
 struct Mover {

@@ -7,6 +7,7 @@
 #include "world/world.h"
 
 #include <algorithm>
+#include <functional>
 #include <string>
 #include <string_view>
 #include <utility>
@@ -19,9 +20,11 @@ struct Run {
     CellPlace at;
     std::vector<BlueprintId> blueprints;
 
-    // Shafts are shared by runs in the same place along the axis.
-    bool isLike(const Run& other, Axis axis) const {
-        return placeIn(axis) == other.placeIn(axis) && blueprints == other.blueprints;
+    // Shafts are shared by runs in the same place along the axis, between which there is no order.
+    bool isBefore(const Run& other, Axis axis) const {
+        const int place = placeIn(axis);
+        const int otherPlace = other.placeIn(axis);
+        return place != otherPlace ? place < otherPlace : blueprints < other.blueprints;
     }
     int placeIn(Axis axis) const {
         CellPlace cell = at;
@@ -30,10 +33,35 @@ struct Run {
     int lastIn(Axis axis) const { return placeIn(axis) + static_cast<int>(blueprints.size()) - 1; }
 };
 
+// A tile of a map.
+struct MapTile {
+    int map = 0;
+    int x = 0;
+    int y = 0;
+
+    friend auto operator<=>(const MapTile&, const MapTile&) = default;
+};
+
+// Sorted: the tiles where portals in roofs and undersides lead.
+std::vector<MapTile> exitsOfLevelFaces(const World& world) {
+    std::vector<MapTile> exits;
+    for (const CellBlueprint& block : world.blueprints) {
+        for (const Face face : {Face::top, Face::bottom}) {
+            const PortalId id = block.face(face).portal;
+            if (id == kNoPortal) continue;
+            const Portal& portal = world.portals[id];
+            exits.push_back({portal.toMap, portal.toX, portal.toY});
+        }
+    }
+    mergeSort(exits, std::less<>());
+    return exits;
+}
+
 struct Maker {
     World& world;
+    std::vector<MapTile> exits;           // see exitsOfLevelFaces
     std::size_t cells = kMaxMovingCells;  // remaining
-    std::vector<PlacingFault> faults;
+    std::vector<PlacingFault> faults = {};
 
     void addFault(int map, const CellPlace& at, std::string found, std::string expected) {
         faults.push_back({map, at.x, at.y, at.level, std::move(found), std::move(expected)});
@@ -158,8 +186,8 @@ bool Maker::findReach(int mapIndex, const Run& run, const Motion& motion, Shaft&
 bool Maker::hasRoomForSlopes(int mapIndex, const Run& run, const Motion& motion,
                              const CellPlace& cell) {
     const Map& map = world.maps[static_cast<std::size_t>(mapIndex)];
-    const std::string block = words(blockOf(run.blueprints[0]), " with slopes");
-    const std::string where = words(" tile (", cell.x, ", ", cell.y, ")");
+    const auto block = [&] { return words(blockOf(run.blueprints[0]), " with slopes"); };
+    const auto where = [&] { return words(" tile (", cell.x, ", ", cell.y, ")"); };
     const CellBlueprint& shape = world.blueprints[run.blueprints[0]];
     const bool isUpright = !motion.isSideways();
     const Coordinate least = isUpright ? std::min(motion.from, motion.to) : Coordinate{};
@@ -168,24 +196,17 @@ bool Maker::hasRoomForSlopes(int mapIndex, const Run& run, const Motion& motion,
     if (!ceiling.tiles.empty() && ceiling.tiles[map.tileIndex(cell.x, cell.y)] != kNoTexture &&
         ceiling.height > tileEdge(run.at.level) + shape.bottom + least &&
         ceiling.height < tileEdge(run.at.level) + shape.top + most) {
-        addFault(mapIndex, run.at, words(block, " that moves through the ceiling of", where),
+        addFault(mapIndex, run.at, words(block(), " that moves through the ceiling of", where()),
                  "a motion above or below the ceiling, or none there");
         return false;
     }
-    for (const CellBlueprint& other : world.blueprints) {
-        for (const Face face : {Face::top, Face::bottom}) {
-            const PortalId id = other.face(face).portal;
-            if (id == kNoPortal || world.portals[id].toMap != mapIndex ||
-                world.portals[id].toX != cell.x || world.portals[id].toY != cell.y)
-                continue;
-            addFault(mapIndex, run.at,
-                     words(block, " that moves to", where,
-                           ", where a portal in a roof or an underside leads"),
-                     "a motion elsewhere, or a level block");
-            return false;
-        }
-    }
-    return true;
+    if (!std::binary_search(exits.begin(), exits.end(), MapTile{mapIndex, cell.x, cell.y}))
+        return true;
+    addFault(mapIndex, run.at,
+             words(block(), " that moves to", where(),
+                   ", where a portal in a roof or an underside leads"),
+             "a motion elsewhere, or a level block");
+    return false;
 }
 
 // Takes the cells that a run reaches, which must be empty except for its own.
@@ -223,12 +244,19 @@ bool Maker::takeRun(int mapIndex, const Run& run, const Motion& motion, Shaft& s
                             static_cast<BlueprintId>(shaft.firstPart + (place - shaft.first)));
     }
     place = shaft.first;
-    shaft.firstCells.push_back(map.cellIndex(cell.x, cell.y, cell.level));
+    shaft.runs.push_back({static_cast<std::uint32_t>(map.tileIndex(cell.x, cell.y)), cell.level});
     return true;
 }
 
 void Maker::makeMover(int mapIndex, std::vector<CellPlace> group) {
     const Map& map = world.maps[static_cast<std::size_t>(mapIndex)];
+    if (world.movers.size() == kMaxMovers) {
+        addFault(
+            mapIndex, group[0],
+            words("more than ", kMaxMovers, " moving blocks, of which those that touch are one"),
+            words("at most ", kMaxMovers, " in a scene"));
+        return;
+    }
     const int index = static_cast<int>(world.movers.size());
     Mover mover;
     mover.map = mapIndex;
@@ -244,19 +272,23 @@ void Maker::makeMover(int mapIndex, std::vector<CellPlace> group) {
         return a != b ? a < b : placeA < placeB;
     };
     mergeSort(group, acrossFirst);
-    std::vector<Run> runs;  // of the shafts
+    std::vector<Run> runs;            // of the shafts
+    std::vector<std::size_t> sorted;  // indices into it
     for (std::size_t i = 0; i < group.size();) {
         Run run = {group[i], {}};
         CellPlace next = run.at;
         for (; i < group.size() && group[i] == next; ++i, ++placeAlong(next, axis))
             run.blueprints.push_back(map.cell(next.x, next.y, next.level));
         // Its shaft, shared by all places with the same run
-        const auto known = std::find_if(runs.begin(), runs.end(),
-                                        [&](const Run& other) { return other.isLike(run, axis); });
-        const auto number = static_cast<std::size_t>(known - runs.begin());
-        if (known == runs.end()) {
+        const auto known = std::lower_bound(
+            sorted.begin(), sorted.end(), run,
+            [&](std::size_t a, const Run& b) { return runs[a].isBefore(b, axis); });
+        const bool isNew = known == sorted.end() || run.isBefore(runs[*known], axis);
+        const std::size_t number = isNew ? runs.size() : *known;
+        if (isNew) {
             mover.shafts.emplace_back();
             if (!makeShaft(mapIndex, run, motion, index, mover.shafts.back())) return;
+            sorted.insert(known, number);
             runs.push_back(run);
         }
         Shaft& shaft = mover.shafts[number];
@@ -278,7 +310,7 @@ std::vector<PlacingFault> makeMovers(World& world) {
     if (std::all_of(kinds.begin(), kinds.end(),
                     [](BlueprintId kind) { return kind == kEmptyCell; }))
         return {};
-    Maker maker{world, kMaxMovingCells, {}};
+    Maker maker{world, exitsOfLevelFaces(world)};
     for (std::size_t map = 0; map < world.maps.size(); ++map) {
         std::vector<std::vector<CellPlace>> groups;
         if (!groupCells(world.maps[map], kinds, maker.cells, groups)) {

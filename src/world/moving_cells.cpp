@@ -3,6 +3,7 @@
 #include "base/name_index.h"
 #include "base/sort.h"
 
+#include <bit>
 #include <functional>
 
 namespace slicecast {
@@ -29,7 +30,9 @@ bool groupCells(const Map& map, const std::vector<BlueprintId>& kinds, std::size
     std::vector<bool> seen(map.cells.size());
     for (int x = 0; x < map.width; ++x) {
         for (int y = 0; y < map.depth; ++y) {
-            for (int level = 0; level < map.levels; ++level) {
+            for (std::uint32_t levels = map.occupied[map.tileIndex(x, y)]; levels != 0;
+                 levels &= levels - 1) {
+                const int level = std::countr_zero(levels);
                 const BlueprintId kind = kinds[map.cell(x, y, level)];
                 if (kind == kEmptyCell || seen[map.cellIndex(x, y, level)]) continue;
                 std::vector<CellPlace> group = {{x, y, level}};

@@ -20,14 +20,6 @@ inline int& placeAlong(CellPlace& cell, Axis axis) {
     return axis == Axis::x ? cell.x : axis == Axis::y ? cell.y : cell.level;
 }
 
-// How far apart the cells of a map are that follow each other along an axis (see Map::cellIndex).
-inline std::size_t cellStep(const Map& map, Axis axis) {
-    const auto levels = static_cast<std::size_t>(map.levels);
-    return axis == Axis::z   ? 1
-           : axis == Axis::x ? levels
-                             : levels * static_cast<std::size_t>(map.width);
-}
-
 // The ends of a block along an axis, within its cell.
 inline Coordinate& lowEdge(CellBlueprint& block, Axis axis) {
     return axis == Axis::x ? block.plan.west : axis == Axis::y ? block.plan.north : block.bottom;

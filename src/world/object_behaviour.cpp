@@ -64,9 +64,9 @@ void stay(World& world, ObjectMotion& motion) {
     walk(world, motion, {});
 }
 
-// The middle of the nearest portal from a map to another one.
-std::optional<GroundPoint> portalTo(const World& world, int map, GroundPoint near, int toMap) {
-    std::optional<GroundPoint> best;
+// The nearest portal from a map to another one.
+NearestPortal nearestPortal(const World& world, int map, GroundPoint near, int toMap) {
+    NearestPortal best = {map, toMap, near, {}};
     double least = 0.0;
     for (const Portal& portal : world.portals) {
         if (portal.fromMap != map || portal.toMap != toMap) continue;
@@ -74,11 +74,34 @@ std::optional<GroundPoint> portalTo(const World& world, int map, GroundPoint nea
                                     tileEdge(portal.fromY) + Coordinate{32768}};
         const double x = (middle.x - near.x).value();
         const double y = (middle.y - near.y).value();
-        if (best && x * x + y * y >= least) continue;
-        best = middle;
+        if (best.middle && x * x + y * y >= least) continue;
+        best.middle = middle;
         least = x * x + y * y;
     }
     return best;
+}
+
+// The middle of the portal where those go who follow the player to another map.
+std::optional<GroundPoint> portalAfter(World& world, int map, GroundPoint seen, int toMap) {
+    MovingObjects& moving = world.movingObjects;
+    for (const NearestPortal& known : moving.nearest) {
+        if (known.map == map && known.toMap == toMap && known.near == seen) return known.middle;
+    }
+    NearestPortal& next = moving.nearest[moving.nextNearest];
+    moving.nextNearest = (moving.nextNearest + 1) % kKeptPortals;
+    next = nearestPortal(world, map, seen, toMap);
+    return next.middle;
+}
+
+// Finds the portal of a patrol to another map. False while it waits for its turn to ask.
+bool findPortal(World& world, ObjectMotion& motion, int toMap) {
+    const MovingObjects& moving = world.movingObjects;
+    const auto index = static_cast<std::size_t>(&motion - moving.motions.data());
+    if ((index + moving.turn) % turnsOfPatrols(world) == 0) {
+        const Object& object = movedObject(world, motion);
+        motion.portal = nearestPortal(world, motion.map, {object.x, object.y}, toMap);
+    }
+    return motion.portal.map == motion.map && motion.portal.toMap == toMap;
 }
 
 enum class Progress : std::uint8_t { going, arrived, stuck };
@@ -142,7 +165,7 @@ Progress walkTo(World& world, ObjectMotion& motion, GroundPoint target, double s
 
 void follow(World& world, ObjectMotion& motion, const Body& player) {
     if (player.map != motion.map) {
-        const auto portal = portalTo(world, motion.map, motion.seen, player.map);
+        const auto portal = portalAfter(world, motion.map, motion.seen, player.map);
         if (!portal) return stay(world, motion);
         walkTo(world, motion, *portal, motion.alertSpeed);
         return;
@@ -258,9 +281,9 @@ void patrol(World& world, ObjectMotion& motion) {
         return stay(world, motion);
     }
     const PathPoint& point = path[static_cast<std::size_t>(motion.point)];
-    const Object& object = movedObject(world, motion);
     if (point.map != motion.map) {
-        const auto portal = portalTo(world, motion.map, {object.x, object.y}, point.map);
+        if (!findPortal(world, motion, point.map)) return stay(world, motion);
+        const auto portal = motion.portal.middle;
         if (!portal) stay(world, motion);
         if (!portal || walkTo(world, motion, *portal, motion.speed) == Progress::stuck)
             takeNextPoint(motion, path);

@@ -20,6 +20,7 @@ constexpr int kLongestWay = kStepsPerSecond * 4;
 constexpr double kWidestTurn = 70.0;      // degrees, at each change of heading
 constexpr double kTurnAtLedge = 60.0;     // degrees to either side of straight back
 constexpr double kPhases = 4294967296.0;  // per turn
+constexpr std::size_t kUsualVisitors = 256;
 constexpr double kPi = 3.14159265358979323846;
 
 bool isOutward(Coordinate from, Coordinate way, Coordinate reach) {
@@ -171,12 +172,15 @@ void startObjects(World& world) {
     }
     noteObjects(world);
     moving.motionsAtStart = moving.motions;
+    moving.gone.reserve(moving.motions.size());
+    moving.goneRoom.reserve(moving.motions.size());
     moving.objectsAtStart.clear();
     for (Map& map : world.maps) {
         moving.objectsAtStart.push_back(map.objects);
         if (!world.portals.empty())
-            // Room for visitors through portals
-            map.objects.reserve(map.objects.size() + moving.motions.size());
+            // Room for visitors through portals, as many as hardly ever come
+            map.objects.reserve(map.objects.size() +
+                                std::min(moving.motions.size(), kUsualVisitors));
     }
 }
 
@@ -199,6 +203,12 @@ void stepObjects(World& world, const Body* player) {
         showState(world, motion, before);
         noteMoved(world, motion);
     }
+    closeGaps(world);
+    ++moving.turn;
+}
+
+std::size_t turnsOfPatrols(const World& world) {
+    return 1 + world.movingObjects.motions.size() * world.portals.size() / kMostPortalLooks;
 }
 
 void noteObjects(World& world) {
@@ -223,6 +233,7 @@ void showObjects(World& world, double part) {
 void resetObjects(World& world) {
     MovingObjects& moving = world.movingObjects;
     moving.motions = moving.motionsAtStart;
+    moving.turn = 0;
     for (std::size_t i = 0; i < moving.objectsAtStart.size(); ++i)
         world.maps[i].objects = moving.objectsAtStart[i];
 }
@@ -245,6 +256,8 @@ void liftObjects(World& world, std::span<const Body> bodies) {
 }
 
 void addMovingObjects(Hash& hash, const World& world) {
+    const std::size_t turns = turnsOfPatrols(world);
+    if (turns > 1) hash.add(static_cast<std::int64_t>(world.movingObjects.turn % turns));
     for (const ObjectMotion& motion : world.movingObjects.motions) {
         const Object& object = world.maps[static_cast<std::size_t>(motion.map)]
                                    .objects[static_cast<std::size_t>(motion.object)];
@@ -262,6 +275,11 @@ void addMovingObjects(Hash& hash, const World& world) {
             hash.add(number);
         }
         hash.add(motion.headingDegrees);
+        if (turns > 1) {
+            const auto& [map, toMap, near, middle] = motion.portal;
+            for (const int number : {map, toMap, near.x.raw, near.y.raw, int{middle.has_value()}})
+                hash.add(std::int64_t{number});
+        }
         if (motion.isActor()) addActor(hash, motion, object);
     }
 }

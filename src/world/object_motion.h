@@ -17,6 +17,7 @@
 #include "world/object.h"
 #include "world/portal.h"
 
+#include <array>
 #include <cstdint>
 #include <optional>
 #include <span>
@@ -38,6 +39,16 @@ inline constexpr Coordinate kWidestBody = toCoordinate(0.4);  // as wide as the 
 struct GroundPoint {
     Coordinate x;
     Coordinate y;
+
+    friend bool operator==(const GroundPoint&, const GroundPoint&) = default;
+};
+
+// An answer to the question for the nearest portal that leads from a map to another one.
+struct NearestPortal {
+    int map = -1;
+    int toMap = -1;
+    GroundPoint near;
+    std::optional<GroundPoint> middle;  // of the portal's tile; none if there is no such portal
 };
 
 // Where an object is on its map.
@@ -107,9 +118,10 @@ struct ObjectMotion {
     int alertSteps = 0;  // until it is calm; 0 while it is
     GroundPoint seen;    // where the player was last, in its map, while it was alert
     bool isWalking = false;
-    int point = 0;      // patrol: of the path, that it walks to
-    int waitSteps = 0;  // patrol: at a point
-    int liftSteps = 0;  // patrol: for which it has waited for a lift
+    int point = 0;         // patrol: of the path, that it walks to
+    int waitSteps = 0;     // patrol: at a point
+    int liftSteps = 0;     // patrol: for which it has waited for a lift
+    NearestPortal portal;  // patrol: that it walks to
     int blockedSteps = 0;
     int detours = 0;      // since it last came nearer
     int detourSteps = 0;  // of the present one, until it ends
@@ -146,12 +158,31 @@ struct CrowdBody {
     int tileY = 0;
 };
 
+// An object that has left its map's list. Its place there stays until closeGaps.
+struct GoneObject {
+    int map = 0;
+    int object = 0;
+    int toMap = 0;      // where it is now
+    int toObject = -1;  // -1 for nowhere
+};
+
+// So many answers are kept: those who follow the player ask alike.
+inline constexpr std::size_t kKeptPortals = 8;
+// Pairs of an object that patrols and a portal that a step compares. Where there may be more, the
+// objects ask for the nearest portal in turn.
+inline constexpr std::size_t kMostPortalLooks = 1 << 17;
+
 // The moving objects of a world, and their initial states.
 struct MovingObjects {
     std::vector<ObjectMotion> motions;
     std::vector<ObjectMotion> motionsAtStart;
     std::vector<std::vector<Object>> objectsAtStart;  // by map; empty if nothing moves or is found
     std::vector<std::vector<PathPoint>> paths;
+    std::vector<GoneObject> gone;      // of the present step
+    std::vector<GoneObject> goneRoom;  // to sort them
+    std::array<NearestPortal, kKeptPortals> nearest;
+    std::size_t nextNearest = 0;  // that is forgotten next
+    std::size_t turn = 0;         // of those that patrol: counts steps
     bool anySolid = false;
     bool areBetween = false;           // shown elsewhere than they are
     std::vector<CrowdBody> crowd;      // of the present step, by map, row and tile
@@ -164,6 +195,10 @@ inline constexpr int kLookSteps = 12;
 
 // The space of an object's body.
 Box objectBody(const Object& object);
+// How many levels it may reach into, see kMaxMovingLevels.
+inline int levelsOf(const Object& object) {
+    return Coordinate{object.height.raw - 1}.tile() + 2;
+}
 
 // Where an object starts that was placed at `put`: there, or on its circle around it.
 GroundPoint beginning(const ObjectMotion& motion, GroundPoint put);
@@ -174,6 +209,9 @@ void startObjects(World& world);
 
 // Without a player nobody is alert.
 void stepObjects(World& world, const Body* player = nullptr);
+
+// In so many steps each object that patrols asks once for the nearest portal: 1 if all may in each.
+std::size_t turnsOfPatrols(const World& world);
 
 void resetObjects(World& world);
 

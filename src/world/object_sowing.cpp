@@ -4,6 +4,7 @@
 #include "world/player.h"
 
 #include <algorithm>
+#include <bit>
 
 namespace slicecast {
 namespace {
@@ -17,33 +18,58 @@ struct Ground {
     TextureId texture = kNoTexture;
 };
 
+// The numbers of a list.
+class NumberSet {
+public:
+    explicit NumberSet(const std::vector<std::uint16_t>& list) {
+        for (const std::uint16_t number : list) {
+            if (number >= has_.size()) has_.resize(std::size_t{number} + 1);
+            has_[number] = true;
+        }
+    }
+    bool has(std::uint16_t number) const { return number < has_.size() && has_[number]; }
+
+private:
+    std::vector<bool> has_;
+};
+
+// Something to sow, made ready to look at every tile.
+struct Sower {
+    const Sowing& sowing;
+    NumberSet on;
+    NumberSet textures;
+    std::uint64_t seed;
+};
+
 std::optional<Ground> floorAt(const Map& map, const Sowing& sowing, std::size_t tile) {
     if (!sowing.onFloor) return std::nullopt;
     return Ground{{}, map.floor.tiles.empty() ? map.floor.texture : map.floor.tiles[tile]};
 }
 
-std::optional<Ground> roofAt(const World& world, const Map& map, const Sowing& sowing, int x, int y,
+std::optional<Ground> roofAt(const World& world, const Map& map, const Sower& sower, int x, int y,
                              int level) {
     const BlueprintId id = map.cell(x, y, level);
-    if (id == kEmptyCell || std::find(sowing.on.begin(), sowing.on.end(), id) == sowing.on.end())
-        return std::nullopt;
+    if (id == kEmptyCell || !sower.on.has(id)) return std::nullopt;
     const CellBlueprint& block = world.blueprints[id];
     const FaceBlueprint& roof = block.face(Face::top);
     if (roof.portal != kNoPortal || block.mover >= 0 || !block.isBox()) return std::nullopt;
     return Ground{tileEdge(level) + block.top, roof.texture};
 }
 
-// True if the tile's cells between two heights are empty, except for the ground, and no mover can
-// reach them.
-bool isEmpty(const World& world, const Map& map, int mapIndex, int x, int y, Coordinate ground,
-             Coordinate top) {
+// True if the tile's cells between two heights are empty, except for the ground, no mover can reach
+// them, and no ceiling is there.
+bool isEmpty(const Map& map, int x, int y, Coordinate ground, Coordinate top) {
+    const std::size_t tile = map.tileIndex(x, y);
+    const Ceiling& ceiling = map.ceiling;
+    if (top > kMaxBodyHeight || (!ceiling.tiles.empty() && ceiling.tiles[tile] != kNoTexture &&
+                                 ceiling.height > ground && ceiling.height < top))
+        return false;
     for (int level = ground.tile();
          level <= std::min(map.levels - 1, Coordinate{top.raw - 1}.tile()); ++level) {
         const bool holdsGround = tileEdge(level) < ground && map.isOccupied(x, y, level);
         if (!holdsGround && map.cells[map.cellIndex(x, y, level)] != kEmptyCell) return false;
     }
-    return isFree(world, mapIndex,
-                  {tileEdge(x), tileEdge(x + 1), tileEdge(y), tileEdge(y + 1), ground, top});
+    return true;
 }
 
 // True where the player starts, or closer to the start than `clear`.
@@ -63,7 +89,7 @@ bool isNearStart(const World& world, int map, int x, int y, const Object& object
 Random randomAt(std::uint64_t seed, int x, int y, int spot) {
     const auto place = static_cast<std::uint64_t>(y) << 40 | static_cast<std::uint64_t>(x) << 20 |
                        static_cast<std::uint64_t>(spot);
-    return Random(Random(seed).next() ^ place);
+    return Random(seed ^ place);
 }
 
 Coordinate within(const CoordinateRange& range, Random& random) {
@@ -95,23 +121,27 @@ void addFind(World& world, int map, const Find& like) {
 }
 
 // Sows one spot.
-void sowSpot(World& world, int mapIndex, const Sowing& sowing, int x, int y, int spot,
+void sowSpot(World& world, int mapIndex, const Sower& sower, int x, int y, int spot,
              const Ground& ground, TakenSpots& taken) {
     Map& map = world.maps[static_cast<std::size_t>(mapIndex)];
-    if (!sowing.textures.empty() && std::find(sowing.textures.begin(), sowing.textures.end(),
-                                              ground.texture) == sowing.textures.end())
-        return;
-    Random random = randomAt(sowing.seed, x, y, spot);
+    const Sowing& sowing = sower.sowing;
+    const std::size_t tile = map.tileIndex(x, y);
+    if (!sowing.textures.empty() && !sower.textures.has(ground.texture)) return;
+    if (taken.isTaken(tile, ground.height)) return;
+    Random random = randomAt(sower.seed, x, y, spot);
     if (random.unit() >= sowing.density) return;
     Object object = sowing.object;
     object.height = within(sowing.height, random);
+    // Most that have no room are known by now
+    if (!isEmpty(map, x, y, ground.height, ground.height + sowing.above.least + object.height))
+        return;
     object.x = tileEdge(x) + Coordinate{random.between(kMargin, 65536 - kMargin)};
     object.y = tileEdge(y) + Coordinate{random.between(kMargin, 65536 - kMargin)};
     object.z = ground.height + within(sowing.above, random);
     if (isNearStart(world, mapIndex, x, y, object, sowing.clear)) return;
-    if (!isEmpty(world, map, mapIndex, x, y, ground.height, object.z + object.height)) return;
+    if (!isEmpty(map, x, y, ground.height, object.z + object.height)) return;
     if (sowing.motion && !hasRoom(world, mapIndex, object, *sowing.motion)) return;
-    if (!taken.take(map.tileIndex(x, y), ground.height)) return;
+    taken.take(tile, ground.height);
     map.objects.push_back(object);
     if (sowing.motion) addMotion(world, mapIndex, sowing, random);
     if (sowing.find) addFind(world, mapIndex, *sowing.find);
@@ -127,27 +157,29 @@ TakenSpots::TakenSpots(const Map& map)
     }
 }
 
-bool TakenSpots::take(std::size_t tile, Coordinate feet) {
-    const std::size_t spot =
-        tile * spots_ + std::min(static_cast<std::size_t>(feet.tile()), spots_ - 1);
-    const bool wasFree = !taken_[spot];
-    taken_[spot] = true;
-    return wasFree;
+std::size_t TakenSpots::spotAt(std::size_t tile, Coordinate feet) const {
+    return tile * spots_ + std::min(static_cast<std::size_t>(feet.tile()), spots_ - 1);
 }
 
 Sown sowObjects(World& world, int mapIndex, const Sowing& sowing, TakenSpots& taken) {
     const Map& map = world.maps[static_cast<std::size_t>(mapIndex)];
     auto room = static_cast<std::size_t>(kMaxObjects) + map.objects.size();
     for (const Map& each : world.maps) room -= std::min(room, each.objects.size());
+    const Sower sower = {sowing, NumberSet(sowing.on), NumberSet(sowing.textures),
+                         Random(sowing.seed).next()};
     for (int y = 0; y < map.depth; ++y) {
         for (int x = 0; x < map.width; ++x) {
             if (map.tilePortal(x, y) != kNoPortal) continue;
             const auto sow = [&](int spot, const std::optional<Ground>& ground) {
-                if (ground) sowSpot(world, mapIndex, sowing, x, y, spot, *ground, taken);
+                if (ground) sowSpot(world, mapIndex, sower, x, y, spot, *ground, taken);
             };
-            sow(0, floorAt(map, sowing, map.tileIndex(x, y)));
-            for (int level = 0; !sowing.on.empty() && level < map.levels; ++level)
-                sow(level + 1, roofAt(world, map, sowing, x, y, level));
+            const std::size_t tile = map.tileIndex(x, y);
+            sow(0, floorAt(map, sowing, tile));
+            for (std::uint32_t levels = sowing.on.empty() ? 0 : map.occupied[tile]; levels != 0;
+                 levels &= levels - 1) {
+                const int level = std::countr_zero(levels);
+                sow(level + 1, roofAt(world, map, sower, x, y, level));
+            }
             if (map.objects.size() > room) return Sown::tooMany;
             if (world.movingObjects.motions.size() > static_cast<std::size_t>(kMaxMovingObjects))
                 return Sown::tooManyMoving;

@@ -49,10 +49,12 @@ public:
     // Starts with the spots of the map's objects.
     explicit TakenSpots(const Map& map);
 
-    // Takes a spot. False if it was taken already.
-    bool take(std::size_t tile, Coordinate feet);
+    bool isTaken(std::size_t tile, Coordinate feet) const { return taken_[spotAt(tile, feet)]; }
+    void take(std::size_t tile, Coordinate feet) { taken_[spotAt(tile, feet)] = true; }
 
 private:
+    std::size_t spotAt(std::size_t tile, Coordinate feet) const;
+
     std::size_t spots_;  // per tile
     std::vector<bool> taken_;
 };

@@ -1,6 +1,7 @@
 #include "world/object_walk.h"
 
 #include "base/angle.h"
+#include "base/sort.h"
 #include "world/player.h"
 #include "world/water.h"
 #include "world/world.h"
@@ -21,25 +22,35 @@ bool isTooDeep(const World& world, const Object& object, const Traveller& before
     return depth.raw > object.height.raw / 2 && depth > waterDepth(world, before);
 }
 
-// Moves an object from its map's list to the end of another map's; the others keep their order.
+// Moves an object from its map's list to the end of another map's.
 void changeMap(World& world, ObjectMotion& motion, int map) {
-    std::vector<Object>& from = world.maps[static_cast<std::size_t>(motion.map)].objects;
     std::vector<Object>& to = world.maps[static_cast<std::size_t>(map)].objects;
-    to.push_back(from[static_cast<std::size_t>(motion.object)]);
-    from.erase(from.begin() + motion.object);
-    const int before = motion.map;
-    const int left = motion.object;
-    const auto close = [&](auto& other) {
-        if (other.map != before || other.object < left) return;
-        if (other.object > left) {
-            --other.object;
-        } else {
-            other.map = map;
-            other.object = static_cast<int>(to.size()) - 1;
+    to.push_back(movedObject(world, motion));
+    const int object = static_cast<int>(to.size()) - 1;
+    world.movingObjects.gone.push_back({motion.map, motion.object, map, object});
+    motion.map = map;
+    motion.object = object;
+}
+
+bool isBefore(const GoneObject& a, const GoneObject& b) {
+    return a.map != b.map ? a.map < b.map : a.object < b.object;
+}
+
+// Takes the objects out of their maps' lists.
+void erase(World& world, const std::vector<GoneObject>& gone) {
+    for (auto next = gone.begin(); next != gone.end();) {
+        const int map = next->map;
+        std::vector<Object>& objects = world.maps[static_cast<std::size_t>(map)].objects;
+        auto to = objects.begin() + next->object;
+        for (auto from = to; from != objects.end(); ++from) {
+            if (next != gone.end() && next->map == map && from - objects.begin() == next->object) {
+                ++next;
+            } else {
+                *to++ = *from;
+            }
         }
-    };
-    for (ObjectMotion& other : world.movingObjects.motions) close(other);
-    eachReference(world.quest, close);
+        objects.erase(to, objects.end());
+    }
 }
 
 // Raises or lowers the eye to half height after a step up or down.
@@ -96,6 +107,37 @@ void put(World& world, ObjectMotion& motion, const Traveller& body, GroundPoint 
     turnArrow(body.turn, object.facingX, object.facingY);
     motion.phase += static_cast<std::uint32_t>(body.turn) << 30;
     if (body.map != motion.map) changeMap(world, motion, body.map);
+}
+
+void closeGaps(World& world) {
+    MovingObjects& moving = world.movingObjects;
+    std::vector<GoneObject>& gone = moving.gone;
+    if (gone.empty()) return;
+    mergeSort(gone, moving.goneRoom, isBefore);
+    erase(world, gone);
+    const auto placeOf = [&](const auto& thing) {
+        return std::lower_bound(gone.begin(), gone.end(), GoneObject{thing.map, thing.object},
+                                isBefore);
+    };
+    // False if it is nowhere. What has no object, as the message of an area, stays as it is.
+    const auto settle = [&](auto& thing) {
+        if (thing.object < 0) return true;
+        auto place = placeOf(thing);
+        while (place != gone.end() && place->map == thing.map && place->object == thing.object) {
+            thing.object = place->toObject;
+            if (thing.object < 0) return false;
+            thing.map = place->toMap;
+            place = placeOf(thing);
+        }
+        const auto first =
+            std::lower_bound(gone.begin(), gone.end(), GoneObject{thing.map, 0}, isBefore);
+        thing.object -= static_cast<int>(place - first);
+        return true;
+    };
+    std::erase_if(moving.motions, [&](ObjectMotion& motion) { return !settle(motion); });
+    for (Find& find : world.quest.finds) settle(find);
+    std::erase_if(world.quest.notices, [&](Notice& notice) { return !settle(notice); });
+    gone.clear();
 }
 
 void setFacing(Object& object, double degrees) {

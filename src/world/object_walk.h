@@ -19,6 +19,10 @@ Traveller travellerOf(const ObjectMotion& motion, const Object& object);
 // has a direction.
 void put(World& world, ObjectMotion& motion, const Traveller& body, GroundPoint way);
 
+// Closes up the lists that objects have left: the others keep their order. What refers to one that
+// is nowhere goes too. Once for all that leave in a step, because it looks at every object.
+void closeGaps(World& world);
+
 // Turns to a heading, and aims the way of each step there.
 void face(World& world, ObjectMotion& motion, double degrees);
 

@@ -104,30 +104,31 @@ void PortalSolids::visitThrough(const Portal& portal, int x, int y, Coordinate f
                });
 }
 
-Openings PortalSolids::openingsAbove(GridTile tile) const {
+// In the eye's tile: down to the next block and up to the next one.
+Openings PortalSolids::findOpeningsOfEye() const {
     Openings openings;
-    if (tile == eyeTile_) {
-        // Down to the next block and up to the next one
-        for (int level = std::min(eye_.z.tile(), map_.levels - 1); level >= 0; --level) {
-            if (!map_.isOccupied(tile.x, tile.y, level)) continue;
-            const CellBlueprint& block = world_.blueprints[map_.cell(tile.x, tile.y, level)];
-            const Coordinate top = tileEdge(level) + block.top;
-            if (top > eye_.z || block.isWater) continue;
-            openings.below = {
-                portalOf(world_, block.face(Face::top).portal), {-kBoundless.raw}, top};
-            break;
-        }
-        for (int level = std::max(eye_.z.tile(), 0); level < map_.levels; ++level) {
-            if (!map_.isOccupied(tile.x, tile.y, level)) continue;
-            const CellBlueprint& block = world_.blueprints[map_.cell(tile.x, tile.y, level)];
-            const Coordinate bottom = tileEdge(level) + block.bottom;
-            if (bottom <= eye_.z || block.isWater) continue;
-            openings.above = {portalOf(world_, block.face(Face::bottom).portal), bottom,
-                              kBoundless};
-            break;
-        }
-        return openings;
+    for (int level = std::min(eye_.z.tile(), map_.levels - 1); level >= 0; --level) {
+        if (!map_.isOccupied(eyeTile_.x, eyeTile_.y, level)) continue;
+        const CellBlueprint& block = world_.blueprints[map_.cell(eyeTile_.x, eyeTile_.y, level)];
+        const Coordinate top = tileEdge(level) + block.top;
+        if (top > eye_.z || block.isWater) continue;
+        openings.below = {portalOf(world_, block.face(Face::top).portal), {-kBoundless.raw}, top};
+        break;
     }
+    for (int level = std::max(eye_.z.tile(), 0); level < map_.levels; ++level) {
+        if (!map_.isOccupied(eyeTile_.x, eyeTile_.y, level)) continue;
+        const CellBlueprint& block = world_.blueprints[map_.cell(eyeTile_.x, eyeTile_.y, level)];
+        const Coordinate bottom = tileEdge(level) + block.bottom;
+        if (bottom <= eye_.z || block.isWater) continue;
+        openings.above = {portalOf(world_, block.face(Face::bottom).portal), bottom, kBoundless};
+        break;
+    }
+    return openings;
+}
+
+Openings PortalSolids::openingsAbove(GridTile tile) const {
+    if (tile == eyeTile_) return openingsOfEye();
+    Openings openings;
     // Beside the eye, or beside such a tile if both lead to adjacent places
     const GridTile across = {tile.x, eyeTile_.y};
     const GridTile along = {eyeTile_.x, tile.y};
@@ -144,7 +145,7 @@ Openings PortalSolids::openingsAbove(GridTile tile) const {
     }
     if (openings.below.portal != nullptr) return openings;
     // Beside a top or bottom face that the eye is above or below
-    const Openings ofEye = openingsAbove(eyeTile_);
+    const Openings& ofEye = openingsOfEye();
     if (ofEye.below.portal != nullptr)
         openings.below = {portalAt(tile, ofEye.below.high, Face::top, *ofEye.below.portal),
                           ofEye.below.low, ofEye.below.high};

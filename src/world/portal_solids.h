@@ -53,6 +53,11 @@ private:
     void visitThrough(const Portal& portal, int x, int y, Coordinate from, Coordinate to,
                       Coordinate low, Coordinate high, Meeting met) const;
     Openings openingsAbove(GridTile tile) const;
+    Openings findOpeningsOfEye() const;
+    const Openings& openingsOfEye() const {
+        if (!ofEye_) ofEye_ = findOpeningsOfEye();
+        return *ofEye_;
+    }
     Opening openingBeside(GridTile tile, Face side, const Portal* like) const;
     const Portal* portalAt(GridTile tile, Coordinate height, Face face, const Portal& other) const;
     bool leadsOn(const Portal& portal, const FaceBlueprint& face) const;
@@ -63,6 +68,7 @@ private:
     Position eye_;
     GridTile eyeTile_;
     bool floats_;
+    mutable std::optional<Openings> ofEye_;  // once it is known
 };
 
 }  // namespace slicecast

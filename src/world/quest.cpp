@@ -4,6 +4,7 @@
 #include "base/words.h"
 #include "world/gate.h"
 #include "world/line_of_sight.h"
+#include "world/object_walk.h"
 #include "world/player.h"
 #include "world/world.h"
 
@@ -24,64 +25,61 @@ const Object& objectOf(const World& world, int map, int object) {
     return world.maps[static_cast<std::size_t>(map)].objects[static_cast<std::size_t>(object)];
 }
 
-// Removes an object from its map; what moves it goes too.
-void removeObject(World& world, int map, int object) {
-    std::vector<Object>& objects = world.maps[static_cast<std::size_t>(map)].objects;
-    objects.erase(objects.begin() + object);
-    std::vector<ObjectMotion>& motions = world.movingObjects.motions;
-    std::erase_if(motions, [&](const ObjectMotion& motion) {
-        return motion.map == map && motion.object == object;
-    });
-    const auto close = [&](auto& other) {
-        if (other.map != map || other.object < object) return;
-        other.object = other.object == object ? -1 : other.object - 1;
-    };
-    for (ObjectMotion& motion : motions) close(motion);
-    eachReference(world.quest, close);
+// The gates that open for the finds that the player has.
+void unlockGates(World& world) {
+    for (GateKind& kind : world.gateKinds) kind.isLocked = !holds(world.quest, kind.needs);
 }
 
-void take(World& world, int index) {
-    Quest& quest = world.quest;
-    Find& find = quest.finds[static_cast<std::size_t>(index)];
-    // Its notice goes with it; -1 would make it an area
-    std::erase_if(quest.notices, [&](const Notice& notice) {
-        return notice.map == find.map && notice.object == find.object;
-    });
-    removeObject(world, find.map, find.object);
-    ++quest.taken;
-    ++quest.kinds[find.kind].taken;
-    tell(quest, QuestNews::Kind::find, find.message, quest.kinds[find.kind].name);
-}
-
+// The objects of all finds that are taken leave the world together.
 void takeFinds(World& world, const Player& player, const Box& body) {
-    for (std::size_t i = 0; i < world.quest.finds.size(); ++i) {
-        const Find& find = world.quest.finds[i];
-        if (find.object < 0 || find.map != player.map) continue;
-        if (areWithin(body, objectBody(objectOf(world, find.map, find.object)), {}))
-            take(world, static_cast<int>(i));
+    Quest& quest = world.quest;
+    const int before = quest.taken;
+    for (const Find& find : quest.finds) {
+        if (find.object < 0 || find.map != player.map ||
+            !areWithin(body, objectBody(objectOf(world, find.map, find.object)), {}))
+            continue;
+        world.movingObjects.gone.push_back({.map = find.map, .object = find.object});
+        ++quest.taken;
+        ++quest.kinds[find.kind].taken;
+        tell(quest, QuestNews::Kind::find, find.message, quest.kinds[find.kind].name);
     }
+    if (quest.taken == before) return;
+    closeGaps(world);
+    unlockGates(world);
 }
 
-bool isShown(const World& world, const Player& player, const Box& body, const Notice& notice) {
+// Takes one of the `looks` for a look into the player's sight; says no if none is left.
+bool isShown(const World& world, const Player& player, const Box& body, const Notice& notice,
+             int& looks) {
     if (notice.map != player.map) return false;
     const Coordinate near = notice.isNear ? notice.near + kAway : notice.near;
     if (notice.object < 0) return areWithin(body, notice.area, near);
     const Object& object = objectOf(world, notice.map, notice.object);
     if (!areWithin(body, objectBody(object), near)) return false;
-    return notice.isNear ||
-           isInSight(world, world.maps[static_cast<std::size_t>(notice.map)],
-                     {player.x.value(), player.y.value(), eyeHeight(player).value()},
-                     {object.x.value(), object.y.value(),
-                      object.z.value() + object.height.value() / 2.0});
+    if (notice.isNear) return true;
+    if (--looks < 0) return false;
+    return isInSight(
+        world, world.maps[static_cast<std::size_t>(notice.map)],
+        {player.x.value(), player.y.value(), eyeHeight(player).value()},
+        {object.x.value(), object.y.value(), object.z.value() + object.height.value() / 2.0});
 }
 
 void showNotices(World& world, const Player& player, const Box& body) {
-    for (Notice& notice : world.quest.notices) {
+    Quest& quest = world.quest;
+    const std::size_t count = quest.notices.size();
+    const std::size_t first = quest.nextNotice;
+    quest.nextNotice = 0;
+    int looks = kMostNoticeLooks;
+    for (std::size_t i = 0; i < count; ++i) {
+        const std::size_t index = (first + i) % count;
+        Notice& notice = quest.notices[index];
         const bool wasNear = notice.isNear;
-        notice.isNear = isShown(world, player, body, notice);
+        const bool hadLooks = looks >= 0;
+        notice.isNear = isShown(world, player, body, notice, looks);
+        if (hadLooks && looks < 0) quest.nextNotice = index;
         if (!notice.isNear || wasNear || (notice.once && notice.wasShown)) continue;
         notice.wasShown = true;
-        tell(world.quest, QuestNews::Kind::message, notice.text);
+        tell(quest, QuestNews::Kind::message, notice.text);
     }
 }
 
@@ -114,8 +112,8 @@ void checkGoal(Quest& quest, const Player& player) {
 
 bool holds(const Quest& quest, const Needs& needs) {
     if (quest.taken < needs.any) return false;
-    return std::all_of(needs.kinds.begin(), needs.kinds.end(), [&](std::uint16_t kind) {
-        return quest.kinds[kind].taken >= std::count(needs.kinds.begin(), needs.kinds.end(), kind);
+    return std::all_of(needs.kinds.begin(), needs.kinds.end(), [&](const NeededKind& needed) {
+        return quest.kinds[needed.kind].taken >= needed.count;
     });
 }
 
@@ -124,13 +122,8 @@ std::string missing(const Quest& quest, const Needs& needs) {
     if (quest.taken < needs.any)
         parts.push_back(words(needs.any - quest.taken,
                               quest.taken + 1 == needs.any ? " more find" : " more finds"));
-    for (std::size_t i = 0; i < needs.kinds.size(); ++i) {
-        const std::uint16_t kind = needs.kinds[i];
-        const auto begin = needs.kinds.begin();
-        // The kind's first mention speaks for all
-        if (std::find(begin, needs.kinds.end(), kind) != begin + static_cast<std::ptrdiff_t>(i))
-            continue;
-        const auto lacking = std::count(begin, needs.kinds.end(), kind) - quest.kinds[kind].taken;
+    for (const auto& [kind, count] : needs.kinds) {
+        const int lacking = count - quest.kinds[kind].taken;
         if (lacking == 1) parts.push_back(quest.kinds[kind].name);
         if (lacking > 1) parts.push_back(words(lacking, " ", quest.kinds[kind].name));
     }
@@ -144,6 +137,7 @@ void startQuest(World& world) {
     for (Find& find : world.quest.finds) ++world.quest.kinds[find.kind].count;
     world.quest.findsAtStart = world.quest.finds;
     world.quest.noticesAtStart = world.quest.notices;
+    unlockGates(world);
 }
 
 void stepQuest(World& world, const Player& player, const GateAsk& ask, bool isInput) {
@@ -168,7 +162,9 @@ void resetQuest(World& world) {
     quest.hasBegun = quest.isReached = false;
     quest.steps = 0;
     quest.refusedGate = -1;
+    quest.nextNotice = 0;
     quest.news.clear();
+    unlockGates(world);
 }
 
 void addTo(Hash& hash, const Quest& quest) {
@@ -177,6 +173,7 @@ void addTo(Hash& hash, const Quest& quest) {
          {std::int64_t{quest.taken}, std::int64_t{quest.hasBegun}, std::int64_t{quest.isReached},
           quest.steps, std::int64_t{quest.refusedGate}})
         hash.add(number);
+    if (quest.nextNotice > 0) hash.add(static_cast<std::int64_t>(quest.nextNotice));
     for (const Find& find : quest.finds) hash.add(std::int64_t{find.object >= 0});
     for (const Notice& notice : quest.notices)
         hash.add(std::int64_t{notice.isNear} + 2 * std::int64_t{notice.wasShown});

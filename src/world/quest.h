@@ -30,12 +30,23 @@ struct World;
 // A step looks at each of them.
 inline constexpr std::size_t kMaxFinds = 1024;
 inline constexpr std::size_t kMaxNotices = 1024;
+// Objects with messages that a step looks for in the player's sight. Where more are near and have
+// not been seen yet, they take turns.
+inline constexpr int kMostNoticeLooks = 64;
 inline constexpr double kFarthestNotice = 32.0;  // units
+
+// Finds of one kind that somebody must have.
+struct NeededKind {
+    std::uint16_t kind = 0;
+    int count = 1;
+
+    friend bool operator==(const NeededKind&, const NeededKind&) = default;
+};
 
 // Finds that somebody must have: a number of any, or some of named kinds.
 struct Needs {
     int any = 0;
-    std::vector<std::uint16_t> kinds = {};  // a kind that is needed twice stands here twice
+    std::vector<NeededKind> kinds = {};  // each kind once
 
     bool none() const { return any == 0 && kinds.empty(); }
 };
@@ -92,6 +103,7 @@ struct Quest {
     bool isReached = false;       // the goal
     std::int64_t steps = 0;       // from the first input to the goal
     int refusedGate = -1;         // the gate that the player stands at in vain
+    std::size_t nextNotice = 0;   // the notice that looks for the player first
     std::vector<QuestNews> news;  // of the last step
 
     std::vector<Find> findsAtStart;
@@ -113,12 +125,5 @@ void stepQuest(World& world, const Player& player, const GateAsk& ask, bool isIn
 void resetQuest(World& world);
 
 void addTo(Hash& hash, const Quest& quest);
-
-// Calls action(thing) for each thing that has a `map` and an `object`, when objects change places.
-template <typename Action>
-void eachReference(Quest& quest, Action action) {
-    for (Find& find : quest.finds) action(find);
-    for (Notice& notice : quest.notices) action(notice);
-}
 
 }  // namespace slicecast

@@ -10,12 +10,22 @@
 namespace slicecast {
 namespace {
 
+// Whether all texels are alike, and opaque: then so are those of all sizes.
+bool isPlain(const Image& image, bool seeThrough) {
+    return !seeThrough && std::all_of(image.pixels.begin(), image.pixels.end(),
+                                      [&](Pixel pixel) { return pixel == image.pixels[0]; });
+}
+
 // One frame in all sizes, each half of the one before, down to 1 texel.
 std::vector<TextureLevel> levelsOf(const Image& sheet, int frame, bool seeThrough) {
     std::vector<TextureLevel> levels;
+    const bool plain = isPlain(sheet, seeThrough);
     for (int size = sheet.height; size >= 1; size /= 2) {
-        std::vector<Pixel> texels = levels.empty() ? columnsOf(sheet, frame, size, 0, sheet.height)
-                                                   : halved(levels.back().texels, 2 * size);
+        const auto area = static_cast<std::size_t>(size) * static_cast<std::size_t>(size);
+        std::vector<Pixel> texels = plain ? std::vector<Pixel>(area, sheet.pixels[0])
+                                    : levels.empty()
+                                        ? columnsOf(sheet, frame, size, 0, sheet.height)
+                                        : halved(levels.back().texels, 2 * size);
         TexelRuns runs = seeThrough ? TexelRuns(texels, size) : TexelRuns();
         levels.push_back({size, std::countr_zero(static_cast<unsigned>(size)), std::move(texels),
                           std::move(runs)});

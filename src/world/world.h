@@ -53,6 +53,7 @@ struct World {
     std::vector<Mover> movers;  // see makeMovers
     std::vector<GateKind> gateKinds;
     std::vector<Gate> gates;            // see makeGates
+    std::size_t nextLookout = 0;        // of the gates that open on approach, see stepGates
     std::vector<Encounter> encounters;  // of the present step, see findEncounters
     Quest quest;
     Start start;

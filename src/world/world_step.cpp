@@ -55,6 +55,7 @@ void resetWorld(World& world) {
 
 void addTo(Hash& hash, const World& world) {
     for (const Mover& mover : world.movers) hash.add(std::int64_t{mover.clock});
+    if (world.nextLookout > 0) hash.add(static_cast<std::int64_t>(world.nextLookout));
     for (const Gate& gate : world.gates) {
         for (const int number :
              {gate.progress, int{gate.wantsOpen}, int{gate.isNear}, gate.awaySteps})

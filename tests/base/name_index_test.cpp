@@ -35,3 +35,20 @@ TEST(NameIndex, HoldsMany) {
         ASSERT_EQ(index.find(names[i]), static_cast<std::uint32_t>(i)) << names[i];
     EXPECT_FALSE(index.find("name 5000").has_value());
 }
+
+// Names that a plain FNV-1a puts next to each other: they are found all the same, and among others.
+TEST(NameIndex, HoldsNamesThatWereMadeToComeTogether) {
+    std::vector<std::string> names;
+    for (int i = 0; names.size() < 600; ++i) {
+        const std::string name = std::to_string(i);
+        std::uint32_t hash = 2166136261u;
+        for (const char c : name) hash = (hash ^ static_cast<unsigned char>(c)) * 16777619u;
+        if (((hash ^ (hash >> 15)) & 0x7ff) == 5) names.push_back(name);
+    }
+    NameIndex index;
+    for (std::size_t i = 0; i < names.size(); ++i)
+        ASSERT_EQ(index.add(names[i], static_cast<std::uint32_t>(i)), i);
+    for (std::size_t i = 0; i < names.size(); ++i)
+        ASSERT_EQ(index.find(names[i]), static_cast<std::uint32_t>(i)) << names[i];
+    EXPECT_FALSE(index.find("").has_value());
+}

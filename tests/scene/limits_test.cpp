@@ -263,12 +263,70 @@ TEST(Limits, SownObjects) {
     EXPECT_EQ(crowd.faults[0].found, "more than 4096 moving objects, counting those before");
     EXPECT_EQ(crowd.faults[0].expected, "at most 4096 in a scene");
 
+    // Each that is higher than a unit may reach into three levels
+    static_assert(kMaxMovingLevels == 2 * kMaxMovingObjects);
+    const std::string tall =
+        R"({ "sprite": "bush", "density": 1, "height": 1.1,
+             "motion": { "kind": "wander", "speed": 1 } })";
+    EXPECT_EQ(inWords(parseScene(sownScene(52, tall), "test.json").faults), "");
+    const ParsedScene taller = parseScene(sownScene(53, tall), "test.json");
+    ASSERT_EQ(taller.faults.size(), 1u);
+    EXPECT_EQ(taller.faults[0].pointer, "/maps/0/sow/0");
+    EXPECT_EQ(taller.faults[0].found,
+              "moving objects that reach into more than 8192 levels, counting those before");
+    EXPECT_EQ(taller.faults[0].expected,
+              "at most 8192 in a scene: one that is up to a unit high may reach into two");
+
     std::string kinds = bush;
     for (int i = 1; i < kMaxSowings; ++i) kinds += "," + bush;
     EXPECT_EQ(inWords(parseScene(sownScene(3, kinds), "test.json").faults), "");
     const ParsedScene many = parseScene(sownScene(3, kinds + "," + bush), "test.json");
     ASSERT_EQ(many.faults.size(), 1u);
-    EXPECT_EQ(many.faults[0].found, "65 elements");
+    EXPECT_EQ(many.faults[0].found, "33 elements");
+}
+
+TEST(Limits, MovingBlocks) {
+    // Each tile of a chess board's white fields is a mover of its own
+    const auto board = [](int side) {
+        std::string rows;
+        for (int y = 0; y < side; ++y) {
+            rows += y > 0 ? ",\"" : "\"";
+            for (int x = 0; x < side; ++x) rows += y > 1 && (x + y) % 2 == 0 ? 'b' : '.';
+            rows += '"';
+        }
+        return R"({ "title": "Board", "textures": { "brick": "broken/images/brick.png" },
+               "motions": { "m": { "moves": "both", "to": 0.5, "period": 1 } },
+               "blueprints": { "b": { "top": 0.5, "faces": "brick", "motion": "m" } },
+               "legend": { "b": "b" },
+               "maps": [ { "name": "map", "floor": "brick", "levels": [[)" +
+               rows + R"(]] } ], "start": { "x": 1.5, "y": 0.5 } })";
+    };
+    EXPECT_EQ(inWords(faultsOf(board(128))), "");
+    const std::vector<Fault> faults = faultsOf(board(131));
+    ASSERT_EQ(faults.size(), 1u);
+    EXPECT_EQ(faults[0].found, "more than 8192 moving blocks, of which those that touch are one");
+    EXPECT_EQ(faults[0].expected, "at most 8192 in a scene");
+}
+
+TEST(Limits, ColoursAsTextures) {
+    const auto scene = [](int colours) {
+        std::string textures;
+        for (int i = 0; i < colours; ++i) {
+            constexpr const char* kDigits = "0123456789abcdef";
+            textures += "\"t" + std::to_string(i) + "\": \"#00";
+            for (int shift = 12; shift >= 0; shift -= 4) textures += kDigits[i >> shift & 15];
+            textures += "\", ";
+        }
+        return R"({ "title": "Colours", "textures": { )" + textures +
+               R"("again": "#000000" }, "maps": [ { "name": "map", "floor": "t0",
+               "levels": [["..."]] } ], "start": { "x": 1.5, "y": 0.5 } })";
+    };
+    EXPECT_EQ(inWords(faultsOf(scene(kMaxPlainTextures))), "");
+    const std::vector<Fault> faults = faultsOf(scene(kMaxPlainTextures + 1));
+    ASSERT_EQ(faults.size(), 1u);
+    EXPECT_EQ(faults[0].pointer, "/textures/t4096");
+    EXPECT_EQ(faults[0].found, "more than 4096 colours as textures");
+    EXPECT_EQ(faults[0].expected, "at most 4096; equal colours count as one");
 }
 
 // A scene with two maps, each with so many objects.

@@ -34,6 +34,14 @@ constexpr const char* kCoins = R"("objects": [
   { "sprite": "coin", "x": 3.5, "y": 2.5, "height": 0.3, "find": "key",
     "message": { "text": "Look", "near": 2, "once": true } }])";
 
+// "COUNT of KIND, ..."
+std::string inWords(const Needs& needs) {
+    std::string text;
+    for (const auto& [kind, count] : needs.kinds)
+        text += (text.empty() ? "" : ", ") + std::to_string(count) + " of " + std::to_string(kind);
+    return text;
+}
+
 TEST(QuestScenes, AreReadWhole) {
     const LoadedScene loaded = loadText(
         hunt(R"("needs": ["coin", "coin"], "locked": "No.")",
@@ -59,10 +67,10 @@ TEST(QuestScenes, AreReadWhole) {
     EXPECT_EQ(quest.notices[1].near, toCoordinate(0.5));
     EXPECT_EQ(quest.aim, "Go.");
     ASSERT_TRUE(quest.goal.has_value());
-    EXPECT_EQ(quest.goal->needs.kinds, std::vector<std::uint16_t>{1});
+    EXPECT_EQ(inWords(quest.goal->needs), "1 of 1");
     EXPECT_EQ(quest.goal->area.east, tileEdge(4));
     EXPECT_EQ(quest.goal->area.top, tileEdge(1));
-    EXPECT_EQ(loaded.world->gateKinds[0].needs.kinds, (std::vector<std::uint16_t>{0, 0}));
+    EXPECT_EQ(inWords(loaded.world->gateKinds[0].needs), "2 of 0");
     EXPECT_EQ(loaded.world->gateKinds[0].locked, "No.");
 }
 
@@ -115,7 +123,7 @@ TEST(QuestScenes, FindsMayBeSown) {
     EXPECT_EQ(quest.kinds[2].count, 3) << "not at the start, nor where others stand";
     EXPECT_EQ(quest.finds[3].message, "Sweet.");
     EXPECT_EQ(quest.finds[3].object, 3);
-    EXPECT_EQ(quest.goal->needs.kinds, (std::vector<std::uint16_t>{2, 1}));
+    EXPECT_EQ(inWords(quest.goal->needs), "1 of 2, 1 of 1");
 
     const LoadedScene none = sown("0");
     ASSERT_EQ(inWords(none.faults), "");

@@ -46,13 +46,13 @@ std::vector<int> listOf(const World& world, int first) {
 
 using Bodies = std::vector<int>;
 
-TEST(Encounters, AreThoseOfTheTilesThatABodyReachesInto) {
+TEST(Encounters, AreThoseThatABodyIsNear) {
     World world = yard();
     const std::vector<Body> bodies = {bodyAt(2.5, 1.5, 0.25), bodyAt(1.9, 1.9, 3.0),
                                       bodyAt(1.5, 1.5, 0.0), bodyAt(5.5, 1.5, 0.0),
                                       bodyAt(5.9, 2.1, 0.0)};
     findEncounters(world, bodies);
-    EXPECT_EQ(listOf(world, world.movers[0].firstEncounter), (Bodies{0, 1})) << "at any height";
+    EXPECT_EQ(listOf(world, world.movers[0].firstEncounter), Bodies{0}) << "not from far above";
     EXPECT_EQ(listOf(world, world.movers[1].firstEncounter), Bodies{});
     EXPECT_EQ(listOf(world, world.gates[0].firstEncounter), (Bodies{3, 4}));
 }
@@ -89,6 +89,29 @@ TEST(Encounters, NameEachBodyOnce) {
     const std::vector<Body> bodies = {bodyAt(2.0, 2.0, 0.25), bodyAt(3.0, 3.0, 0.25)};
     findEncounters(world, bodies);
     EXPECT_EQ(listOf(world, world.movers[0].firstEncounter), (Bodies{0, 1}));
+}
+
+// Floors that move, one above another, and a body on each: a list for each floor, not for all.
+TEST(Encounters, AreFewAmongManyFloors) {
+    constexpr int kFloors = 16;
+    World world = emptyWorld(6, 6, 2 * kFloors);
+    const BlueprintId floor =
+        addMoving(world, {}, 0.25_u,
+                  {.name = "floor", .edges = MovingEdges::both, .to = 0.5_u, .periodSteps = 240});
+    std::vector<Body> bodies;
+    for (int i = 0; i < kFloors; ++i) {
+        for (int y = 0; y < 6; ++y)
+            for (int x = 0; x < 6; ++x) world.maps[0].setCell(x, y, 2 * i, floor);
+        bodies.push_back(bodyAt(2.0, 2.0, 2.0 * i + 0.25));
+    }
+    ASSERT_TRUE(makeMovers(world).empty());
+    ASSERT_EQ(world.movers.size(), static_cast<std::size_t>(kFloors));
+    findEncounters(world, bodies);
+    for (int i = 0; i < kFloors; ++i) {
+        EXPECT_EQ(listOf(world, world.movers[static_cast<std::size_t>(i)].firstEncounter),
+                  Bodies{i});
+    }
+    EXPECT_EQ(world.encounters.size(), static_cast<std::size_t>(kFloors));
 }
 
 }  // namespace

@@ -182,7 +182,7 @@ TEST(Footways, TakeFindsForGates) {
     putFind(world, 4);
     EXPECT_TRUE(Footways(world).takes(0));
     EXPECT_TRUE(getsTo(world, 8, 0));
-    world.gateKinds[1].needs = {.kinds = {0, 0}};
+    world.gateKinds[1].needs = {.kinds = {{0, 2}}};
     EXPECT_FALSE(getsTo(world, 8, 0)) << "the second is behind it";
     world.movingObjects.motions.emplace_back().object = 0;
     EXPECT_TRUE(getsTo(world, 8, 0)) << "it comes by itself";

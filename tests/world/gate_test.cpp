@@ -1,9 +1,13 @@
 // Gates: who opens them, who goes through, and that they never close on anyone.
 #include "moving.h"
 
+#include "world/world_step.h"
+
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
+#include <vector>
 
 namespace slicecast {
 namespace {
@@ -273,6 +277,80 @@ TEST(Gates, ShowTheFrameOfTheirProgress) {
     resetWorld(world);
     EXPECT_EQ(block.face(Face::north).texture, 1);
     EXPECT_FALSE(block.passable);
+}
+
+// Gates in a row, each of a kind of its own.
+World gatesInARow(const std::vector<GateKind>& kinds) {
+    World world = emptyWorld(2 * static_cast<int>(kinds.size()) + 1, 5, 1);
+    for (std::size_t i = 0; i < kinds.size(); ++i)
+        world.maps[0].setCell(2 * static_cast<int>(i) + 1, 1, 0, addGate(world, kinds[i]));
+    EXPECT_TRUE(makeGates(world).empty());
+    return world;
+}
+
+// Whoever follows is told of each gate once, however many of its leaders there are.
+TEST(Gates, FollowAsLongAsOneOfTheirLeadersIsOpen) {
+    const GateKind leader = {.steps = 1};
+    const GateKind follower = {.steps = 1, .keyed = false, .follows = {0, 1}};
+    World world = gatesInARow({leader, leader, follower});
+    EXPECT_EQ(world.gateKinds[0].followers, std::vector<int>{2});
+    const auto step = [&](int gate, Wish wish) {
+        GateAsk ask = {.wish = wish};
+        const Box& box = world.gates[static_cast<std::size_t>(gate)].bounds;
+        ask.x = box.west;
+        ask.y = box.north;
+        world.gateKinds[0].reach = world.gateKinds[1].reach = {};
+        stepWorld(world, {}, ask);
+    };
+    const auto isOpen = [&] { return world.gates[2].progress == 1; };
+    step(0, Wish::open);
+    EXPECT_TRUE(isOpen());
+    step(1, Wish::open);
+    EXPECT_EQ(world.gateKinds[2].openLeaders, 2);
+    step(0, Wish::close);
+    EXPECT_TRUE(isOpen()) << "the other one is open";
+    step(1, Wish::close);
+    EXPECT_FALSE(isOpen());
+    EXPECT_EQ(world.gateKinds[2].openLeaders, 0);
+    step(0, Wish::open);
+    resetGates(world);
+    EXPECT_EQ(world.gateKinds[2].openLeaders, 0);
+}
+
+// With more pairs of gates and bodies than a step compares, gates take turns: each looks again
+// after a few steps.
+TEST(Gates, LookForBodiesInTurnWhereThereAreMany) {
+    const GateKind kind = {.steps = 1, .opensOnApproach = true, .approach = 0.25_u};
+    constexpr std::size_t kGates = 100;
+    World world = gatesInARow(std::vector<GateKind>(kGates, kind));
+    Body far;
+    far.box = {0.1_u, 0.3_u, 4.1_u, 4.3_u, {}, 0.5_u};
+    std::vector<Body> bodies(kMostApproachLooks / 30, far);
+    for (std::size_t i = 0; i < kGates; ++i) {
+        Body near = far;
+        const Box& gate = world.gates[i].bounds;
+        near.box.west = gate.west + 0.4_u;
+        near.box.east = gate.west + 0.6_u;
+        near.box.north = gate.south + 0.1_u;
+        near.box.south = gate.south + 0.3_u;
+        bodies[bodies.size() - kGates + i] = near;
+    }
+    const auto open = [&] {
+        return std::count_if(world.gates.begin(), world.gates.end(),
+                             [](const Gate& gate) { return gate.progress == 1; });
+    };
+    for (const int expected : {30, 60, 90, 100}) {
+        stepWorld(world, bodies, {});
+        EXPECT_EQ(open(), expected);
+    }
+    EXPECT_GT(world.nextLookout, 0u);
+    resetGates(world);
+    EXPECT_EQ(world.nextLookout, 0u);
+    // All look at few bodies
+    bodies.erase(bodies.begin(), bodies.end() - kGates);
+    stepWorld(world, bodies, {});
+    EXPECT_EQ(open(), 100);
+    EXPECT_EQ(world.nextLookout, 0u);
 }
 
 }  // namespace

@@ -255,17 +255,32 @@ TEST(Movers, AreRefusedIfTheyCannotMove) {
               "motion during which the block is visible");
 }
 
-TEST(Movers, AreLimitedByTheirBlueprints) {
-    World world = emptyWorld(300, 300, 3);
+// On every other tile, as on a chess board, so that none touches another.
+World manyLifts(double reach) {
+    World world = emptyWorld(150, 150, 12);
     Motion motion = lift();
+    motion.to = toCoordinate(reach);
     const BlueprintId id = addMoving(world, {}, 0.5_u, motion);
-    for (int x = 0; x < 300; ++x) {
-        for (int y = x % 2; y < 300; y += 2) world.maps[0].setCell(x, y, 0, id);
+    for (int x = 0; x < 150; ++x) {
+        for (int y = x % 2; y < 150; y += 2) world.maps[0].setCell(x, y, 0, id);
     }
+    return world;
+}
+
+TEST(Movers, AreLimitedByTheirBlueprints) {
+    World world = manyLifts(9.0);
     const std::vector<PlacingFault> faults = makeMovers(world);
     ASSERT_EQ(faults.size(), kMaxPlacingFaults);
     EXPECT_EQ(faults[0].expected, "fewer moving blocks and gates, or fewer levels that they reach");
     EXPECT_LE(world.blueprints.size(), static_cast<std::size_t>(kMaxBlueprints));
+}
+
+TEST(Movers, AreLimitedByTheirNumber) {
+    World world = manyLifts(0.25);
+    const std::vector<PlacingFault> faults = makeMovers(world);
+    ASSERT_EQ(faults.size(), kMaxPlacingFaults);
+    EXPECT_EQ(faults[0].expected, "at most 8192 in a scene");
+    EXPECT_EQ(world.movers.size(), kMaxMovers);
 }
 
 // ---- riders

@@ -6,6 +6,7 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 
 namespace slicecast {
@@ -282,6 +283,41 @@ TEST(Actors, TurnASideToTheEye) {
     object.facingY = tileEdge(-1);  // north
     EXPECT_EQ(sideTowards(object, 10, 0), ObjectSide::right);
     EXPECT_EQ(sideTowards(object, 0, -10), ObjectSide::front);
+}
+
+// With more pairs of patrols and portals than a step compares, the patrols ask for their portals in
+// turn; who has not asked yet waits where it is.
+TEST(Patrol, AsksForPortalsInTurnWhereThereAreMany) {
+    World world = emptyWorld(30, 30, 1);
+    world.maps.push_back(emptyWorld(30, 30, 1).maps[0]);
+    constexpr int kSide = 20;
+    for (int i = 0; i < kSide * kSide; ++i)
+        putTilePortal(world, {.fromMap = 0,
+                              .fromX = i % kSide,
+                              .fromY = 8 + i / kSide,
+                              .toMap = 1,
+                              .toX = i % kSide,
+                              .toY = i / kSide});
+    constexpr int kPatrols = 400;
+    static_assert(kPatrols * kSide * kSide > static_cast<int>(kMostPortalLooks));
+    for (int i = 0; i < kPatrols; ++i) {
+        ObjectMotion motion = patrolling(world, {point(2.0, 2.0, 1)});
+        motion.solid = false;
+        addActor(world, 5.5, 4.5, motion);
+    }
+    EXPECT_EQ(turnsOfPatrols(world), 2u);
+    Stage stage(std::move(world), 25.5, 25.5);
+    const auto walking = [&] {
+        return std::count_if(stage.world.movingObjects.motions.begin(),
+                             stage.world.movingObjects.motions.end(),
+                             [](const ObjectMotion& motion) { return motion.isWalking; });
+    };
+    stage.step();
+    EXPECT_EQ(walking(), kPatrols / 2);
+    stage.step();
+    EXPECT_EQ(walking(), kPatrols);
+    stage.stepFor(8.0);
+    for (const ObjectMotion& motion : stage.world.movingObjects.motions) EXPECT_EQ(motion.map, 1);
 }
 
 }  // namespace

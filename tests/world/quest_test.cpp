@@ -117,6 +117,44 @@ TEST(Finds, KeepTheReferencesOfTheOthers) {
     EXPECT_EQ(stage.x(), 12.0);
 }
 
+// All of them at once, among others in two maps: what is left keeps its references.
+TEST(Finds, MayAllBeTakenInOneStep) {
+    World world = emptyWorld(14, 3, 1);
+    world.maps.push_back(world.maps[0]);
+    for (int i = 0; i < 20; ++i) {
+        addFind(world, i % 3 == 0 ? 9.5 : 1.5, 1.5, "coin");
+        world.quest.notices.push_back(
+            {.map = 0, .object = i, .near = 0.1_u, .text = std::to_string(i)});
+        addFind(world, 1.5, 1.5, "shell");
+        world.quest.finds.back().map = 1;
+        world.maps[1].objects.push_back(world.maps[0].objects.back());
+        world.quest.finds.back().object = i;
+        world.maps[0].objects.pop_back();
+    }
+    Stage stage(std::move(world), 1.5, 1.5);
+    stage.step();
+    const Quest& quest = stage.world.quest;
+    EXPECT_EQ(quest.taken, 13);
+    EXPECT_EQ(stage.world.maps[0].objects.size(), 7u);
+    EXPECT_EQ(stage.world.maps[1].objects.size(), 20u);
+    ASSERT_EQ(quest.notices.size(), 7u);
+    for (int i = 0; i < 7; ++i) {
+        const auto index = static_cast<std::size_t>(i);
+        EXPECT_EQ(quest.finds[6 * index].object, i);
+        EXPECT_EQ(quest.notices[index].object, i);
+        EXPECT_EQ(quest.notices[index].text, std::to_string(3 * i));
+    }
+    for (std::size_t i = 0; i < 20; ++i) {
+        EXPECT_EQ(quest.finds[2 * i + 1].object, static_cast<int>(i));
+        EXPECT_EQ(quest.finds[2 * i + 1].map, 1);
+        if (i % 3 != 0) EXPECT_EQ(quest.finds[2 * i].object, -1);
+    }
+    stage.putPlayer(9.5, 1.5);
+    stage.step();
+    EXPECT_EQ(quest.taken, 20);
+    EXPECT_TRUE(stage.world.maps[0].objects.empty());
+}
+
 TEST(Notices, AppearOnceForEachVisit) {
     World world = emptyWorld(12, 3, 1);
     Notice notice;
@@ -160,6 +198,25 @@ TEST(Notices, OfObjectsNeedThemInSight) {
     EXPECT_EQ(stage.news.size(), 1u);
 }
 
+// A step looks for only so many objects in the player's sight. The others have their turn.
+TEST(Notices, OfManyHiddenObjectsTakeTurns) {
+    World world = emptyWorld(12, 3, 1);
+    putBlock(world, 5, 1, {}, 1.0_u);
+    constexpr int kHidden = 3 * kMostNoticeLooks;
+    for (int i = 0; i <= kHidden; ++i) {
+        addActor(world, i == kHidden ? 3.5 : 6.5, 1.5, standing());
+        world.quest.notices.push_back(
+            {.map = 0, .object = i, .near = 3.0_u, .text = std::to_string(i)});
+    }
+    Stage stage(std::move(world), 4.5, 1.5);
+    for (int i = 0; i < 3; ++i) stage.step();
+    EXPECT_TRUE(stage.news.empty());
+    EXPECT_EQ(stage.world.quest.nextNotice, static_cast<std::size_t>(kHidden));
+    stage.step();
+    ASSERT_EQ(stage.news.size(), 1u);
+    EXPECT_EQ(stage.news[0].text, std::to_string(kHidden));
+}
+
 TEST(Needs, CountAnyOrNamedFinds) {
     Quest quest;
     quest.kinds = {{"coin", 3, 1}, {"key", 1, 0}};
@@ -167,12 +224,12 @@ TEST(Needs, CountAnyOrNamedFinds) {
     EXPECT_TRUE(holds(quest, {}));
     EXPECT_TRUE(holds(quest, {.any = 1, .kinds = {}}));
     EXPECT_FALSE(holds(quest, {.any = 2, .kinds = {}}));
-    EXPECT_TRUE(holds(quest, {.kinds = {0}}));
-    EXPECT_FALSE(holds(quest, {.kinds = {0, 0}}));
-    EXPECT_FALSE(holds(quest, {.kinds = {0, 1}}));
+    EXPECT_TRUE(holds(quest, {.kinds = {{0, 1}}}));
+    EXPECT_FALSE(holds(quest, {.kinds = {{0, 2}}}));
+    EXPECT_FALSE(holds(quest, {.kinds = {{0, 1}, {1, 1}}}));
     EXPECT_EQ(missing(quest, {.any = 2, .kinds = {}}), "1 more find");
     EXPECT_EQ(missing(quest, {.any = 4, .kinds = {}}), "3 more finds");
-    EXPECT_EQ(missing(quest, {.kinds = {0, 0, 0, 1}}), "2 coin and key");
+    EXPECT_EQ(missing(quest, {.kinds = {{0, 3}, {1, 1}}}), "2 coin and key");
 }
 
 World lockedCorridor(const GateKind& kind) {
@@ -212,7 +269,7 @@ TEST(Needs, AlsoOfAGateThatOpensOnApproach) {
     kind.keyed = false;
     kind.opensOnApproach = true;
     kind.approach = 1.0_u;
-    kind.needs.kinds = {0};
+    kind.needs.kinds = {{0, 1}};
     kind.locked = "No way.";
     Stage stage(lockedCorridor(kind), 5.3, 1.5);
     stage.stepFor(1.0);

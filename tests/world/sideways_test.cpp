@@ -266,7 +266,8 @@ TEST(MovingGates, OpenByThemselvesSoOften) {
 }
 
 TEST(MovingGates, FollowSwitches) {
-    World world = slidingDoor({.steps = 10, .keyed = false, .follows = {1, 2}});
+    World world = slidingDoor({.steps = 10, .keyed = false});
+    world.gateKinds[0].follows = {1, 2};
     for (int i = 0; i < 2; ++i) {
         const BlueprintId lever = addGate(world, {.steps = 5, .reach = 1.0_u});
         world.maps[0].setCell(6, 1 + 5 * i, 0, lever);
