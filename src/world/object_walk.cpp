@@ -115,19 +115,19 @@ void closeGaps(World& world) {
     if (gone.empty()) return;
     mergeSort(gone, moving.goneRoom, isBefore);
     erase(world, gone);
-    const auto placeOf = [&](const auto& thing) {
+    const auto goneFrom = [&](const auto& thing) {
         return std::lower_bound(gone.begin(), gone.end(), GoneObject{thing.map, thing.object},
                                 isBefore);
     };
     // False if it is nowhere. What has no object, as the message of an area, stays as it is.
     const auto settle = [&](auto& thing) {
         if (thing.object < 0) return true;
-        auto place = placeOf(thing);
+        auto place = goneFrom(thing);
         while (place != gone.end() && place->map == thing.map && place->object == thing.object) {
             thing.object = place->toObject;
             if (thing.object < 0) return false;
             thing.map = place->toMap;
-            place = placeOf(thing);
+            place = goneFrom(thing);
         }
         const auto first =
             std::lower_bound(gone.begin(), gone.end(), GoneObject{thing.map, 0}, isBefore);
