@@ -83,9 +83,13 @@ void Finder::addThrough(const Portal& portal, GridTile tile, const Box& near, in
 void Finder::addBody(int index) {
     const Body& body = bodies[static_cast<std::size_t>(index)];
     const Map& map = world.maps[static_cast<std::size_t>(body.map)];
-    const Box near = around(body.box);
-    const SolidRange columns = reached(near.west, near.east);
-    const SolidRange rows = reached(near.north, near.south);
+    const Box surroundings = around(body.box);
+    const SolidRange columns = reached(surroundings.west, surroundings.east);
+    const SolidRange rows = reached(surroundings.north, surroundings.south);
+    // What reaches into a portal may meet blocks at any height
+    const Coordinate least = {-kBoundless.raw};
+    const Box near = body.straddles ? Box{least, kBoundless, least, kBoundless, least, kBoundless}
+                                    : surroundings;
     const int lowest = std::max(0, body.box.bottom.tile() - kNearLevels);
     const int highest = std::min(map.levels - 1, body.box.top.tile() + kNearLevels);
     for (int y = rows.first; y <= rows.last; ++y) {

@@ -250,13 +250,6 @@ bool Maker::takeRun(int mapIndex, const Run& run, const Motion& motion, Shaft& s
 
 void Maker::makeMover(int mapIndex, std::vector<CellPlace> group) {
     const Map& map = world.maps[static_cast<std::size_t>(mapIndex)];
-    if (world.movers.size() == kMaxMovers) {
-        addFault(
-            mapIndex, group[0],
-            words("more than ", kMaxMovers, " moving blocks, of which those that touch are one"),
-            words("at most ", kMaxMovers, " in a scene"));
-        return;
-    }
     const int index = static_cast<int>(world.movers.size());
     Mover mover;
     mover.map = mapIndex;
@@ -320,8 +313,15 @@ std::vector<PlacingFault> makeMovers(World& world) {
             break;
         }
         for (const std::vector<CellPlace>& group : groups) {
-            if (maker.faults.size() < kMaxPlacingFaults)
-                maker.makeMover(static_cast<int>(map), group);
+            if (maker.faults.size() >= kMaxPlacingFaults) break;
+            if (world.movers.size() == kMaxMovers) {
+                maker.addFault(static_cast<int>(map), group[0],
+                               words("more than ", kMaxMovers,
+                                     " moving blocks, of which those that touch are one"),
+                               words("at most ", kMaxMovers, " in a scene"));
+                return std::move(maker.faults);
+            }
+            maker.makeMover(static_cast<int>(map), group);
         }
     }
     if (maker.faults.empty()) resetMovers(world);

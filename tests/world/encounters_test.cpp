@@ -49,7 +49,7 @@ using Bodies = std::vector<int>;
 TEST(Encounters, AreThoseThatABodyIsNear) {
     World world = yard();
     const std::vector<Body> bodies = {bodyAt(2.5, 1.5, 0.25), bodyAt(1.9, 1.9, 3.0),
-                                      bodyAt(1.5, 1.5, 0.0), bodyAt(5.5, 1.5, 0.0),
+                                      bodyAt(0.5, 1.5, 0.0), bodyAt(5.5, 1.5, 0.0),
                                       bodyAt(5.9, 2.1, 0.0)};
     findEncounters(world, bodies);
     EXPECT_EQ(listOf(world, world.movers[0].firstEncounter), Bodies{0}) << "not from far above";
@@ -60,7 +60,7 @@ TEST(Encounters, AreThoseThatABodyIsNear) {
 TEST(Encounters, AreAlsoThoseBehindAPortal) {
     World world = yard();
     const std::vector<Body> bodies = {bodyAt(1.9, 7.5, 0.0, true), bodyAt(1.9, 7.5, 0.0, false),
-                                      bodyAt(1.5, 7.5, 0.0, true)};
+                                      bodyAt(0.5, 7.5, 0.0, true)};
     findEncounters(world, bodies);
     EXPECT_EQ(listOf(world, world.movers[1].firstEncounter), Bodies{0});
     EXPECT_EQ(listOf(world, world.movers[0].firstEncounter), Bodies{});
