@@ -111,7 +111,7 @@ std::string manyKindsOfNeeds() {
     Scene scene;
     const auto name = [](int i) { return "\"" + std::to_string(i) + "\""; };
     const std::string needs = listOf(1024, name);
-    scene.blueprints = listOf(23, [&](int i) {
+    scene.blueprints = listOf(22, [&](int i) {
         return "\"g" + ::text(i) + R"(":{"faces":"d","gate":{"needs":[)" + needs + "]}}";
     });
     scene.legend = R"("g":"g0")";
@@ -386,8 +386,8 @@ std::string manyShafts() {
                    ? 'b'
                    : '.';
     });
-    scene.map = R"(,"sow":[{"sprite":"s","density":0.03,"on":["b"],"height":0.3,
-"motion":{"kind":"wander","speed":1}},{"sprite":"s","density":0.05,"height":0.3,
+    scene.map = R"(,"sow":[{"sprite":"s","density":0.02,"on":["b"],"height":0.3,
+"motion":{"kind":"wander","speed":1}},{"sprite":"s","density":0.015,"height":0.3,
 "motion":{"kind":"wander","speed":1}}])";
     return scene.text();
 }
@@ -507,7 +507,7 @@ std::string manyCopies() {
         "," + listOf(1500, [](int i) {
             return "\"" + ::text(i) + R"(":{"file":"../textures/rock.png","variants":["a"]})";
         });
-    scene.sprites = "," + listOf(1200, [](int i) {
+    scene.sprites = "," + listOf(700, [](int i) {
                         return "\"" + ::text(i) +
                                R"(":{"file":"../sprites/walker.png","frames":8,"rate":)" +
                                ::text(i + 1) + "e-2}";
