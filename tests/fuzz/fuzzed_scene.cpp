@@ -45,15 +45,15 @@ void checkFaults(const std::vector<Fault>& faults) {
 SceneMaker& sceneMaker() {
     constexpr int kWidest = 24;  // tiles a side
     static SceneMaker maker(readFile("assets/scene.schema.json"),
-                                  {.wall = "brick.png",
-                                   .seeThrough = "see-through.png",
-                                   .sheet = "sheet.png",
-                                   .sheetFrames = 3,
-                                   .sprite = "tile.png",
-                                   .walker = "sheet.png",
-                                   .walkerFrames = 3,
-                                   .panorama = "sky.png"},
-                                  kWidest);
+                            {.wall = "brick.png",
+                             .seeThrough = "see-through.png",
+                             .sheet = "sheet.png",
+                             .sheetFrames = 3,
+                             .sprite = "tile.png",
+                             .walker = "sheet.png",
+                             .walkerFrames = 3,
+                             .panorama = "sky.png"},
+                            kWidest);
     return maker;
 }
 
@@ -75,6 +75,8 @@ LoadedScene loadFuzzed(std::string_view text) {
     return loaded;
 }
 
-std::vector<Fault> faultsOf(const std::string& text) { return loadFuzzed(text).faults; }
+std::vector<Fault> faultsOf(const std::string& text) {
+    return loadFuzzed(text).faults;
+}
 
 }  // namespace slicecast

@@ -64,7 +64,8 @@ void draw(Session& session, double fraction, Random& random) {
         if (column < 0) std::abort();
     }
     const bool isWhole = column == kWidth;
-    if (!session.draw(pictureOf(whole), fraction, isWhole ? kAllLight : kLightOfSlice)) std::abort();
+    if (!session.draw(pictureOf(whole), fraction, isWhole ? kAllLight : kLightOfSlice))
+        std::abort();
     if (isWhole && whole != sliced) std::abort();
     for (const std::string_view method : {"exact", "classic"}) {
         session.setOption("method", method);

@@ -14,8 +14,7 @@ extern "C" std::size_t LLVMFuzzerCustomMutator(std::uint8_t* data, std::size_t s
     const std::string before(reinterpret_cast<const char*>(data), size);
     std::string text = sceneMaker().changed(before, random);
     // Mostly one that loads; faults have to be met too
-    if (!random.oneIn(8))
-        text = sceneMaker().mended(text, before, faultsOf);
+    if (!random.oneIn(8)) text = sceneMaker().mended(text, before, faultsOf);
     if (text.empty() || text == before || text.size() > most)
         return LLVMFuzzerMutate(data, size, most);
     std::memcpy(data, text.data(), text.size());

@@ -17,7 +17,8 @@ int main(int, char** arguments) {
     std::string before;
     for (int written = 0; written < kScenes;) {
         // Some are new, some change one of those
-        const std::string text = before.empty() ? maker.fresh(random) : maker.changed(before, random);
+        const std::string text =
+            before.empty() ? maker.fresh(random) : maker.changed(before, random);
         const std::string next = maker.mended(text, before, faultsOf);
         before = random.oneIn(3) || next.size() > kMostBytes ? "" : next;
         if (next.empty() || next.size() > kMostBytes) continue;

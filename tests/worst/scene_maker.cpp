@@ -282,9 +282,8 @@ private:
         } else if (value.IsObject()) {
             enter(value);
             if (value.HasMember("levels") && random_.oneIn(12)) return resize(value);
-            Json* const inner = value.ObjectEmpty() || random_.oneIn(3)
-                                    ? nullptr
-                                    : heavyMember(value, *way.schema);
+            Json* const inner =
+                value.ObjectEmpty() || random_.oneIn(3) ? nullptr : heavyMember(value, *way.schema);
             if (inner == nullptr) return changeObject(value, way);
             change(*inner, *schemaOfHeavy_, way.about);
         } else if (areRows(*way.schema)) {
@@ -317,8 +316,8 @@ private:
         const Json* const known = member(*way.schema, "properties");
         if (known == nullptr) return changeNamed(object, way);
         if (!object.ObjectEmpty() && random_.oneIn(5)) {
-            const auto gone = object.MemberBegin() +
-                              random_.below(static_cast<int>(object.MemberCount()));
+            const auto gone =
+                object.MemberBegin() + random_.below(static_cast<int>(object.MemberCount()));
             if (!isListed(member(*way.schema, "required"), gone->name)) object.EraseMember(gone);
             return;
         }
@@ -326,8 +325,8 @@ private:
         for (int left = random_.between(1, 4); left > 0; --left) {
             auto chosen = known->MemberEnd();
             for (int i = random_.oneIn(2) ? 3 : 1; i > 0; --i) {
-                const auto next = known->MemberBegin() +
-                                  random_.below(static_cast<int>(known->MemberCount()));
+                const auto next =
+                    known->MemberBegin() + random_.below(static_cast<int>(known->MemberCount()));
                 if (chosen == known->MemberEnd() || metOf(next->value) < metOf(chosen->value))
                     chosen = next;
             }
@@ -367,8 +366,8 @@ private:
             if (object.ObjectEmpty() || random_.oneIn(2)) {
                 set(object, name, made(schema, way.about));
             } else {
-                const auto like = object.MemberBegin() +
-                                  random_.below(static_cast<int>(object.MemberCount()));
+                const auto like =
+                    object.MemberBegin() + random_.below(static_cast<int>(object.MemberCount()));
                 Json copy(like->value, memory_);
                 varyNumbers(copy, schema, way.about);
                 set(object, name, std::move(copy));
@@ -394,7 +393,8 @@ private:
         if (size > 0 && (items == nullptr || random_.oneIn(5))) {
             // One goes, or half of all
             const auto first = array.Begin() + random_.below(size);
-            array.Erase(first, random_.oneIn(4) ? first + (array.End() - first + 1) / 2 : first + 1);
+            array.Erase(first,
+                        random_.oneIn(4) ? first + (array.End() - first + 1) / 2 : first + 1);
             return;
         }
         if (items == nullptr) return;
@@ -515,12 +515,13 @@ private:
 
     Json made(const Json& schema, const std::string& about) {
         const std::vector<Way> ways = maker_.waysOf(schema, about);
-        const Way& way = ways[static_cast<std::size_t>(random_.below(static_cast<int>(ways.size())))];
+        const Way& way =
+            ways[static_cast<std::size_t>(random_.below(static_cast<int>(ways.size())))];
         const Json& one = *way.schema;
         if (const Json* const choices = member(one, "enum"))
-            return Json((*choices)[static_cast<unsigned>(
-                            random_.below(static_cast<int>(choices->Size())))],
-                        memory_);
+            return Json(
+                (*choices)[static_cast<unsigned>(random_.below(static_cast<int>(choices->Size())))],
+                memory_);
         const std::string_view type = textOf(member(one, "type"));
         if (type == "boolean") return Json(random_.oneIn(2));
         if (type == "number" || type == "integer") return madeNumber(one, type == "integer");
@@ -535,25 +536,32 @@ private:
         const double most = numberIn(schema, "maximum", 1e6);
         double value = least;
         switch (random_.below(8)) {
-            case 0: break;  // the least, or next to it
-            case 1: value = most; break;
-            case 2: value = numberIn(schema, "default", random_.between(least, most)); break;
+            case 0:
+                break;  // the least, or next to it
+            case 1:
+                value = most;
+                break;
+            case 2:
+                value = numberIn(schema, "default", random_.between(least, most));
+                break;
             default:
                 // Of any size
                 value = random_.between(least, most);
                 if (least < 0.0) value = random_.unit() < 0.5 ? most : least;
-                value = (least < 0.0 ? 0.0 : least) +
-                        (value - (least < 0.0 ? 0.0 : least)) /
-                            static_cast<double>(1 << random_.below(13));
+                value =
+                    (least < 0.0 ? 0.0 : least) + (value - (least < 0.0 ? 0.0 : least)) /
+                                                      static_cast<double>(1 << random_.below(13));
         }
         // Places in the map
         const bool isTile = most == 4095.0 || most == 4096.0;
         if (isTile && !random_.oneIn(12)) value = random_.unit() * std::max(width_, 1);
-        if (isWhole && most == 32.0 && random_.oneIn(2)) value = random_.below(std::max(levels_, 1));
+        if (isWhole && most == 32.0 && random_.oneIn(2))
+            value = random_.below(std::max(levels_, 1));
         if (isWhole) return Json(static_cast<std::int64_t>(std::clamp(value, least, most)));
         if (random_.oneIn(2)) value = std::floor(value * 16.0) / 16.0;
         if (schema.HasMember("exclusiveMinimum") && value <= least)
-            value = least + std::min(1.0, most - least) / static_cast<double>(1 << random_.below(20));
+            value =
+                least + std::min(1.0, most - least) / static_cast<double>(1 << random_.below(20));
         return Json(std::clamp(value, least, most));
     }
 
@@ -568,8 +576,8 @@ private:
         if (pattern.starts_with("^#")) {
             std::string colour = "#";
             for (int i = 0; i < 3; ++i)
-                colour += std::array{"00", "ff", "40", "9c"}[static_cast<std::size_t>(
-                    random_.below(4))];
+                colour +=
+                    std::array{"00", "ff", "40", "9c"}[static_cast<std::size_t>(random_.below(4))];
             return text(colour);
         }
         const auto most = static_cast<std::size_t>(numberIn(schema, "maxLength", 1000.0));
@@ -633,7 +641,7 @@ private:
     Random& random_;
     std::map<std::string, std::vector<std::string>> names_;  // by what they name, as "texture"
     std::u32string characters_;                              // of the legends that hold
-    int width_ = 1;  // tiles of the map
+    int width_ = 1;                                          // tiles of the map
     int depth_ = 1;
     int levels_ = 1;
     const Json* schemaOfHeavy_ = nullptr;
@@ -680,9 +688,9 @@ bool isNumber(const std::string& text) {
 bool isBefore(const Path& a, const Path& b) {
     return std::lexicographical_compare(
         a.begin(), a.end(), b.begin(), b.end(), [](const std::string& x, const std::string& y) {
-            return isNumber(x) && isNumber(y) ? std::strtol(x.c_str(), nullptr, 10) <
-                                                    std::strtol(y.c_str(), nullptr, 10)
-                                              : x < y;
+            return isNumber(x) && isNumber(y)
+                       ? std::strtol(x.c_str(), nullptr, 10) < std::strtol(y.c_str(), nullptr, 10)
+                       : x < y;
         });
 }
 
@@ -747,6 +755,7 @@ std::string SceneMaker::mended(std::string text, const std::string& before,
 
         // From the end, so that the places of the others stay
         std::vector<std::pair<Path, const Fault*>> places;
+        places.reserve(faults.size());
         for (const Fault& fault : faults) places.emplace_back(pathOf(fault.pointer), &fault);
         std::stable_sort(places.begin(), places.end(),
                          [](const auto& a, const auto& b) { return isBefore(b.first, a.first); });

@@ -16,7 +16,7 @@ public:
 
     std::string text() {
         side_ = 8 + genes_[Gene::size] * (widest_ - 8) / 255;
-        constexpr int kMostCells = 150'000;  // a character each
+        constexpr int kMostCells = 80'000;  // a character each: there is room for more
         levels_ = std::min(1 + genes_[Gene::levels] / 8, std::max(1, kMostCells / (side_ * side_)));
         fill();
         const int strength = (genes_[Gene::mirrors] >> 4) + 1;
@@ -26,8 +26,8 @@ public:
                            "\", \"glass\": \"" + pictures_.seeThrough +
                            "\",\n  \"door\": " + sheet(pictures_.sheet, pictures_.sheetFrames) +
                            "},\n\"sprites\": {\"bush\": \"" + pictures_.sprite +
-                           "\",\n  \"walker\": " +
-                           sheet(pictures_.walker, pictures_.walkerFrames) + "},\n";
+                           "\",\n  \"walker\": " + sheet(pictures_.walker, pictures_.walkerFrames) +
+                           "},\n";
         text += R"("motions": {"lift": {"moves": "both", "from": 0, "to": 0.5, "period": 3}},
 "blueprints": {"wall": {"faces": {"all": "stone"})";
         if (hasRoofs)
@@ -58,12 +58,13 @@ public:
         }
         addSowing(text);
         addPortals(text);
+        const int middle = side_ / 2;
         const double height = std::min<double>(genes_[Gene::eye] / 16.0, levels_);
         text += "}]";
         if (hasPortals_)
             text += ",\n\"portalLimit\": " + std::to_string(1 + genes_[Gene::limit] / 8);
-        text += ",\n\"start\": {\"x\": " + number(side_ / 2 + 0.5) +
-                ", \"y\": " + number(side_ / 2 + 0.5) + ", \"z\": " + number(height) +
+        text += ",\n\"start\": {\"x\": " + number(middle + 0.5) +
+                ", \"y\": " + number(middle + 0.5) + ", \"z\": " + number(height) +
                 ", \"heading\": 20}}\n";
         return text;
     }

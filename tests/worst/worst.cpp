@@ -1,6 +1,6 @@
-// Looks for legal scenes, of up to kMostSceneText, that cost too much: random ones with every key of
-// the schema, then changes of the worst so far, for each of five costs. The limits are in units of
-// the processor time of the castle's picture, drawn at the same size and with its light made:
+// Looks for legal scenes, of up to kMostSceneText, that cost too much: random ones with every key
+// of the schema, then changes of the worst so far, for each of five costs. The limits are in units
+// of the processor time of the castle's picture, drawn at the same size and with its light made:
 //
 //     load      100   reading the text and making the world, of pictures that are decoded
 //     light     300   the first picture, until the program shows it
@@ -8,8 +8,8 @@
 //     step        5
 //     memory    64 MB for drawing and stepping, beyond what the session holds after loading
 //
-// Prints the worst of each. A scene that is over a limit is written to a file, and fails the search.
-// So does a key of the schema that was in no scene that loads, in a long search.
+// Prints the worst of each. A scene that is over a limit is written to a file, and fails the
+// search. So does a key of the schema that was in no scene that loads, in a long search.
 //
 //     slicecast-worst SCENES ASSETS SCHEMA [SEED]
 //
@@ -54,9 +54,9 @@ constexpr int kMeasuredAgain = 4;
 constexpr double kEnough = 4.0;  // a scene so far over a limit is not measured further
 constexpr int kWidth = 640;
 constexpr int kHeight = 400;
-constexpr int kPictures = 6;           // later ones
-constexpr int kStepsOfPicture = 15;    // between two of them
-constexpr std::size_t kPool = 4;       // worst scenes that are changed, for each cost
+constexpr int kPictures = 6;                // later ones
+constexpr int kStepsOfPicture = 15;         // between two of them
+constexpr std::size_t kPool = 4;            // worst scenes that are changed, for each cost
 constexpr std::int64_t kLongSearch = 2000;  // scenes
 
 std::int64_t liveBytes = 0;
@@ -131,10 +131,8 @@ Shares sharesOf(const Cost& cost, double castleSeconds) {
     Shares shares;
     for (std::size_t kind = 0; kind < cost.seconds.size(); ++kind)
         for (const double seconds : cost.seconds[kind])
-            shares.of[kind] =
-                std::max(shares.of[kind], seconds / (castleSeconds * kMost[kind]));
-    shares.of[Kind::memory] =
-        static_cast<double>(cost.bytes) / (1 << 20) / kMost[Kind::memory];
+            shares.of[kind] = std::max(shares.of[kind], seconds / (castleSeconds * kMost[kind]));
+    shares.of[Kind::memory] = static_cast<double>(cost.bytes) / (1 << 20) / kMost[Kind::memory];
     return shares;
 }
 
@@ -201,8 +199,7 @@ double castleSecondsOf(const World& castle) {
     Session session(castle.copy());
     session.draw(canvas);
     double best = 1e9;
-    for (int i = 0; i < 4; ++i)
-        best = std::min(best, secondsOf([&] { session.draw(canvas); }));
+    for (int i = 0; i < 4; ++i) best = std::min(best, secondsOf([&] { session.draw(canvas); }));
     return best;
 }
 
@@ -311,7 +308,8 @@ private:
         if (n % 3 == 0 || pool.empty()) return maker_.mended(maker_.fresh(random_), "", faultsOf);
         const std::string& before =
             pool[static_cast<std::size_t>(random_.below(static_cast<int>(pool.size())))].text;
-        return maker_.mended(maker_.changed(before, random_), before, faultsOf);
+        const std::string next = maker_.changed(before, random_);
+        return next == before ? "" : maker_.mended(next, before, faultsOf);
     }
 
     void measure(Try& next) {
