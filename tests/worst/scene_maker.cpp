@@ -11,7 +11,7 @@
 #include <cctype>
 #include <cmath>
 #include <cstdlib>
-#include <cstring>
+#include <span>
 #include <utility>
 
 namespace slicecast {
@@ -37,6 +37,11 @@ const Json* member(const Json& object, const char* name) {
 }
 Json* member(Json& object, const char* name) {
     return const_cast<Json*>(member(std::as_const(object), name));
+}
+
+std::span<Json::Member> membersOf(Json& object) {
+    if (object.ObjectEmpty()) return {};
+    return {&*object.MemberBegin(), object.MemberCount()};
 }
 
 double numberIn(const Json& schema, const char* name, double otherwise) {
@@ -238,10 +243,10 @@ private:
     // -- What the scene has
 
     void collectNames() {
-        for (auto& each : scene_.GetObject()) {
+        for (Json::Member& each : membersOf(scene_)) {
             const std::string key = each.name.GetString();
             if (each.value.IsObject() && key.back() == 's')
-                for (const auto& one : each.value.GetObject())
+                for (const Json::Member& one : membersOf(each.value))
                     names_[key.substr(0, key.size() - 1)].push_back(one.name.GetString());
         }
         for (const char* const kind : {"find", "kind"}) names_[kind] = {"gold", "key"};
@@ -300,7 +305,7 @@ private:
     Json* heavyMember(Json& object, const Json& schema) {
         int sum = 0;
         Json* chosen = nullptr;
-        for (auto& each : object.GetObject()) {
+        for (Json::Member& each : membersOf(object)) {
             const Json* const inner = maker_.memberSchema(schema, each.name);
             if (inner == nullptr) continue;
             const int weight = maker_.weightOf(*inner);
@@ -343,8 +348,8 @@ private:
     }
 
     void set(Json& object, const Json& name, Json value) {
-        if (const auto there = object.FindMember(name); there != object.MemberEnd())
-            there->value = std::move(value);
+        if (object.HasMember(name))
+            object[name] = std::move(value);
         else
             object.AddMember(Json(name, memory_), value, memory_);
     }
@@ -425,7 +430,7 @@ private:
         const Way way = maker_.wayOf(value, schema, about);
         if (way.schema == nullptr) return;
         if (value.IsObject()) {
-            for (auto& each : value.GetObject())
+            for (Json::Member& each : membersOf(value))
                 if (const Json* const inner = maker_.memberSchema(*way.schema, each.name))
                     varyNumbers(each.value, *inner, way.about);
         } else if (value.IsArray()) {

@@ -296,8 +296,9 @@ public:
     }
 
     bool isPassed(std::int64_t scenes) const {
-        return over_ == 0 && loaded_ * 2 >= scenes &&
-               (scenes < kLongSearch || maker_.neverMet().empty());
+        for (std::size_t kind = 0; kind < worst_.size(); ++kind)
+            if (!worst_[kind].empty() && worst_[kind][0].shares.of[kind] > kSlack) return false;
+        return loaded_ * 2 >= scenes && (scenes < kLongSearch || maker_.neverMet().empty());
     }
 
 private:
@@ -319,16 +320,19 @@ private:
         };
         Cost cost = measureOnce();
         next.shares = sharesOf(cost, castleSeconds_);
-        for (int i = 0; i < kMeasuredAgain && next.shares.worst() > kSlack; ++i) {
+        for (int i = 0; i < kMeasuredAgain && isWorseThanAll(next.shares); ++i) {
             castleSeconds_ = castleSecondsOf(castle_);
             cost.keepLess(measureOnce());
             next.shares = sharesOf(cost, castleSeconds_);
         }
-        if (next.shares.worst() <= kSlack) return;
-        const std::string file = "worst-" + std::to_string(over_++) + ".json";
-        std::ofstream(file, std::ios::binary) << next.text;
-        std::printf("%s: %s\n", file.c_str(), next.shares.text().c_str());
-        std::fflush(stdout);
+    }
+
+    bool isWorseThanAll(const Shares& shares) const {
+        for (std::size_t kind = 0; kind < worst_.size(); ++kind)
+            if (shares.of[kind] > kSlack &&
+                (worst_[kind].empty() || shares.of[kind] > worst_[kind][0].shares.of[kind]))
+                return true;
+        return false;
     }
 
     void keep(const Try& next, std::size_t kind) {
@@ -337,6 +341,12 @@ private:
             return next.shares.of[kind] > other.shares.of[kind];
         });
         if (place == pool.end() && pool.size() >= kPool) return;
+        if (place == pool.begin() && next.shares.of[kind] > kSlack) {
+            const std::string file = std::string("worst-") + kNames[kind] + ".json";
+            std::ofstream(file, std::ios::binary) << next.text;
+            std::printf("%s: %s\n", file.c_str(), next.shares.text().c_str());
+            std::fflush(stdout);
+        }
         pool.insert(place, next);
         if (pool.size() > kPool) pool.pop_back();
     }
@@ -364,7 +374,6 @@ private:
     double castleSeconds_ = 0.0;
     std::array<std::vector<Try>, Kind::kinds> worst_;  // of each cost, the worst first
     std::int64_t loaded_ = 0;
-    std::int64_t over_ = 0;
 };
 
 }  // namespace
