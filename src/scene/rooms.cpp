@@ -61,8 +61,8 @@ bool Rooms::any(const Layers& layers, std::size_t layer, int x, int y, const Box
     if (x >= at.width || y >= at.depth) return false;
     const int west = x << layer;
     const int north = y << layer;
-    const int east = std::min(x + 1 << layer, layers[0].width);
-    const int south = std::min(y + 1 << layer, layers[0].depth);
+    const int east = std::min((x + 1) << layer, layers[0].width);
+    const int south = std::min((y + 1) << layer, layers[0].depth);
     if (area.west >= tileEdge(east) || area.east <= tileEdge(west) ||
         area.north >= tileEdge(south) || area.south <= tileEdge(north) ||
         (at.levels[static_cast<std::size_t>(y * at.width + x)] & levels) == 0)
