@@ -170,7 +170,8 @@ TEST(LightNodes, AreThoseOfTheDefinitionWhileAGateOpens) {
                  .sun = {255, 255, 255, 255},
                  .azimuth = 90.0,
                  .altitude = 45.0,
-                 .ambient = {64, 64, 64, 255}};
+                 .ambient = {64, 64, 64, 255},
+                 .lamps = {}};
     ASSERT_TRUE(makeGates(make.world).empty());
     makeGateFrames(make.world);
     markSeeThrough(make.world);

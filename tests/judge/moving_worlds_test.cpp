@@ -194,12 +194,15 @@ void expectAt(const World& world, const Mover& mover, Coordinate offset, const s
                                      : alongY ? part.textureSouth
                                               : part.textureRise;
             const int apart = (moved.raw - offset.raw) & 65535;
-            ASSERT_TRUE(apart <= 1 || apart == 65535) << when;
-            const std::size_t step = alongX ? 3 : alongY ? 3u * kSlot * kSlotsEast : 1u;
-            for (const std::size_t first : shaft.firstCells) {
-                const std::size_t cell =
-                    first + step * static_cast<std::size_t>(place - shaft.first);
-                const bool isThere = (map.occupied[cell / 3] >> (cell % 3) & 1u) != 0;
+            ASSERT_TRUE(apart <= 1 || apart == 65535 || partHigh <= partLow) << when;
+            const int ahead = place - shaft.first;
+            for (const RunStart& run : shaft.runs) {
+                const auto tile = static_cast<std::size_t>(
+                    static_cast<int>(run.tile) + (alongX   ? ahead
+                                                  : alongY ? ahead * map.width
+                                                           : 0));
+                const int level = run.level + (alongX || alongY ? 0 : ahead);
+                const bool isThere = (map.occupied[tile] >> level & 1u) != 0;
                 ASSERT_EQ(isThere, partHigh > partLow) << when;
             }
         }

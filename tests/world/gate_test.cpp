@@ -295,7 +295,8 @@ TEST(Gates, FollowAsLongAsOneOfTheirLeadersIsOpen) {
     World world = gatesInARow({leader, leader, follower});
     EXPECT_EQ(world.gateKinds[0].followers, std::vector<int>{2});
     const auto step = [&](int gate, Wish wish) {
-        GateAsk ask = {.wish = wish};
+        GateAsk ask;
+        ask.wish = wish;
         const Box& box = world.gates[static_cast<std::size_t>(gate)].bounds;
         ask.x = box.west;
         ask.y = box.north;

@@ -147,7 +147,9 @@ TEST(Finds, MayAllBeTakenInOneStep) {
     for (std::size_t i = 0; i < 20; ++i) {
         EXPECT_EQ(quest.finds[2 * i + 1].object, static_cast<int>(i));
         EXPECT_EQ(quest.finds[2 * i + 1].map, 1);
-        if (i % 3 != 0) EXPECT_EQ(quest.finds[2 * i].object, -1);
+        if (i % 3 != 0) {
+            EXPECT_EQ(quest.finds[2 * i].object, -1);
+        }
     }
     stage.putPlayer(9.5, 1.5);
     stage.step();
