@@ -298,19 +298,23 @@ public:
     bool isPassed(std::int64_t scenes) const {
         for (std::size_t kind = 0; kind < worst_.size(); ++kind)
             if (!worst_[kind].empty() && worst_[kind][0].shares.of[kind] > kSlack) return false;
-        return loaded_ * 2 >= scenes && (scenes < kLongSearch || maker_.neverMet().empty());
+        return isEnough(scenes) && (scenes < kLongSearch || maker_.neverMet().empty());
     }
 
 private:
-    // A third are new, the others change one of the worst.
+    bool isEnough(std::int64_t scenes) const { return loaded_ * 4 >= scenes; }
+
+    // A third are new, the others change one of the worst. "" if it does not load.
     std::string nextText(std::int64_t n) {
         const auto faultsOf = [&](const std::string& text) { return loader_.faultsOf(text); };
         const auto& pool = worst_[static_cast<std::size_t>(n) % worst_.size()];
-        if (n % 3 == 0 || pool.empty()) return maker_.mended(maker_.fresh(random_), "", faultsOf);
-        const std::string& before =
-            pool[static_cast<std::size_t>(random_.below(static_cast<int>(pool.size())))].text;
-        const std::string next = maker_.changed(before, random_);
-        return next == before ? "" : maker_.mended(next, before, faultsOf);
+        if (n % 3 != 0 && !pool.empty()) {
+            const std::string& before =
+                pool[static_cast<std::size_t>(random_.below(static_cast<int>(pool.size())))].text;
+            const std::string next = maker_.changed(before, random_);
+            if (next != before) return maker_.mended(next, before, faultsOf);
+        }
+        return maker_.mended(maker_.fresh(random_), "", faultsOf);
     }
 
     void measure(Try& next) {
@@ -364,7 +368,7 @@ private:
         std::printf("%zu of %zu keys of the schema took part\n", maker_.keys() - never.size(),
                     maker_.keys());
         for (const std::string& name : never) std::printf("never: %s\n", name.c_str());
-        if (loaded_ * 2 < scenes) std::printf("too few scenes load\n");
+        if (!isEnough(scenes)) std::printf("too few scenes load\n");
     }
 
     Loader loader_;
