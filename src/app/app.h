@@ -170,7 +170,7 @@ private:
         LightWork lightLeft = 0;
     };
     std::optional<Beginning> beginning_;
-    int unlitPictures_ = 0;  // in turn
+    int unlitPictures_ = 0;        // in turn
     std::optional<Eye> shownEye_;  // of the last picture
     bool toldFly_ = false;
     bool toldOverlay_ = false;

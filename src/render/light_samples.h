@@ -42,8 +42,7 @@ struct FaceNodes {
 class LightSamples {
 public:
     // `sharing`: see LitMap.
-    explicit LightSamples(std::size_t sharing = 1)
-        : fans_(sharing), entries_(kEntries / sharing) {}
+    explicit LightSamples(std::size_t sharing = 1) : fans_(sharing), entries_(kEntries / sharing) {}
 
     // What is kept, bytes.
     std::size_t bytes() const { return fans_.bytes() + entries_.size() * sizeof(Entry); }

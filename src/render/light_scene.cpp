@@ -219,7 +219,8 @@ void LightScene::chooseLamps(const LightVector& cube) {
         for (std::size_t i = 0; i < 3; ++i) {
             const std::int64_t low = std::int64_t{cube[i]} * kCubeSide;
             const std::int64_t at = lamp.at[i];
-            const std::int64_t outside = std::max({low - at, at - low - kCubeSide, std::int64_t{0}});
+            const std::int64_t outside =
+                std::max({low - at, at - low - kCubeSide, std::int64_t{0}});
             const std::int64_t fromMiddle = at - low - kCubeSide / 2;
             toCube += outside * outside;
             toMiddle += fromMiddle * fromMiddle;
@@ -248,8 +249,8 @@ std::span<const std::uint16_t> LightScene::lampsNear(const LightVector& point) {
     const LightVector cube = {point[0] >> 18, point[1] >> 18, point[2] >> 18};
     static_assert(kCubeSide == 1 << 18);
     // Those of 8 x 8 x 16 cubes have places of their own
-    const auto place = static_cast<std::size_t>((cube[0] & 7) | (cube[1] & 7) << 3 |
-                                                (cube[2] & 15) << 6);
+    const auto place =
+        static_cast<std::size_t>((cube[0] & 7) | (cube[1] & 7) << 3 | (cube[2] & 15) << 6);
     CubeLamps& lamps = cubes_[place & (cubes_.size() - 1)];
     if (!lamps.known || lamps.cube != cube) {
         chooseLamps(cube);

@@ -130,10 +130,10 @@ bool LightScene::meetCell(Travel& travel, const LightVector& cell, LightMoment e
         return true;
     if (!look.isClear) return false;
     if (travel.inside != nullptr) {
-        const bool joins =
-            travel.joinsAfter && passage.joinsBefore && travel.leaves == passage.in &&
-            (areJoined(*world_, *travel.inside, block) ||
-             areOneAcross(*world_, *travel.inside, block, travel.leaving));
+        const bool joins = travel.joinsAfter && passage.joinsBefore &&
+                           travel.leaves == passage.in &&
+                           (areJoined(*world_, *travel.inside, block) ||
+                            areOneAcross(*world_, *travel.inside, block, travel.leaving));
         if (!joins) leaveBlock(travel);
     }
     travel.inside = &block;

@@ -121,8 +121,8 @@ private:
     LightScene scene_;
     LightSamples samples_;
     LightAllowance* allowance_ = nullptr;
-    bool isLate_ = false;  // something is not as it should be since the last frame
-    std::uint32_t change_ = 0;                 // counts what has changed
+    bool isLate_ = false;       // something is not as it should be since the last frame
+    std::uint32_t change_ = 0;  // counts what has changed
     std::array<std::uint32_t, 64> changes_{};  // by place bit: the last change there
 
     std::vector<Record> records_;

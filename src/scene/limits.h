@@ -15,6 +15,7 @@
 //     portals     kMaxPortals * kMaxPortalWays
 //     legends     kMaxMaps * kMaxLegend
 //     colours     kMaxPlainTextures                      each is a texture
+//     clouds      kMaxCloudShapes
 #pragma once
 
 #include "world/limits.h"
@@ -38,6 +39,8 @@ inline constexpr std::size_t kMaxPathPoints = 64;      // of an object that patr
 inline constexpr std::size_t kMaxLegend = 4096;        // characters of one legend
 inline constexpr int kMaxSowings =
     32;  // kinds of objects sown over one map: each looks at all of its tiles
+inline constexpr int kMaxCloudShapes =
+    4;  // of clouds, by seed and size: each takes some 10 frames to make, and 256 KB
 inline constexpr int kMaxPlainTextures =
     4096;  // textures that are a colour: 15 characters of text make 22 KB of texels
 inline constexpr std::size_t kMaxFaults = 1000;            // faults listed; more do not help

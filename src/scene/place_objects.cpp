@@ -55,7 +55,7 @@ bool takeLevels(Reading& reading, JsonValue value, std::size_t first, std::size_
                         {"moving objects that reach into more than ", kMaxMovingLevels,
                          " levels, counting those before"},
                         {"at most ", kMaxMovingLevels,
-                         " in a scene: one that is up to a unit high may reach into two"});
+                         " in a scene: each counts as two for each unit of its height"});
     return false;
 }
 

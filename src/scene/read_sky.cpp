@@ -48,10 +48,26 @@ void readStars(Checker& checker, JsonValue value, SkyStars& stars) {
     stars.colour = fields->colour("colour", stars.colour);
 }
 
-void readClouds(Checker& checker, JsonValue value, SkyClouds& clouds) {
-    const auto fields =
-        checker.fields(value, {"cover", "size", "seed", "speed", "opacity", "colour", "shade"},
-                       "an object such as { \"cover\": 0.4, \"speed\": 0.5 }");
+// Maps whose clouds have one seed and one size share them.
+std::shared_ptr<const CloudCover> shapeOf(Reading& reading, JsonValue value, std::uint32_t seed,
+                                          double size) {
+    for (const ReadClouds& known : reading.clouds) {
+        if (known.seed == seed && known.size == size) return known.shape;
+    }
+    if (reading.clouds.size() == kMaxCloudShapes) {
+        reading.checker.add(
+            value, {"clouds of more than ", kMaxCloudShapes, " shapes"},
+            {"at most ", kMaxCloudShapes, " in a scene; equal \"seed\" and \"size\" are one"});
+        return nullptr;
+    }
+    reading.clouds.push_back({seed, size, makeCloudCover(seed, size)});
+    return reading.clouds.back().shape;
+}
+
+void readClouds(Reading& reading, JsonValue value, SkyClouds& clouds) {
+    const auto fields = reading.checker.fields(
+        value, {"cover", "size", "seed", "speed", "opacity", "colour", "shade"},
+        "an object such as { \"cover\": 0.4, \"speed\": 0.5 }");
     if (!fields) return;
     clouds.cover = fields->number("cover", kUnitRange, clouds.cover);
     clouds.speed = fields->number("speed", kCloudSpeed, clouds.speed);
@@ -59,7 +75,7 @@ void readClouds(Checker& checker, JsonValue value, SkyClouds& clouds) {
     clouds.colour = fields->colour("colour", clouds.colour);
     clouds.shade = fields->colour("shade", clouds.shade);
     const std::uint32_t seed = readSeed(*fields);
-    clouds.shape = makeCloudCover(seed, fields->number("size", kCloudSize, 1.0));
+    clouds.shape = shapeOf(reading, value, seed, fields->number("size", kCloudSize, 1.0));
 }
 
 // Without places of its own, the sun stands where the map's light comes from.
@@ -75,7 +91,7 @@ void readLayers(Reading& reading, const Fields& fields, Map& map) {
     if (const auto value = fields.find("stars")) readStars(checker, *value, sky.stars);
     if (const auto value = fields.find("sun")) readDisc(checker, *value, sun, sky.sun);
     if (const auto value = fields.find("moon")) readDisc(checker, *value, moon, sky.moon);
-    if (const auto value = fields.find("clouds")) readClouds(checker, *value, sky.clouds);
+    if (const auto value = fields.find("clouds")) readClouds(reading, *value, sky.clouds);
 }
 
 }  // namespace

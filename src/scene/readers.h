@@ -11,6 +11,7 @@
 #include "world/object_sowing.h"
 
 #include <cstdint>
+#include <memory>
 #include <optional>
 #include <string>
 #include <vector>
@@ -83,6 +84,13 @@ struct FollowedGate {
 };
 
 // What the readers share.
+// The shape of clouds that some map has.
+struct ReadClouds {
+    std::uint32_t seed;
+    double size;
+    std::shared_ptr<const CloudCover> shape;
+};
+
 struct Reading {
     Checker& checker;
     SceneDescription& description;
@@ -107,8 +115,9 @@ struct Reading {
     std::vector<PlacedNeeds> needs = {};
     std::vector<PlacedNotice> placedNotices = {};
     Rooms rooms = {};
-    FoundValue lamp = {};                // the first one of a face or an object
-    std::vector<LampId> lampOrder = {};  // the world's kinds of lamp, sorted by what they are
+    std::vector<ReadClouds> clouds = {};  // each shape once
+    FoundValue lamp = {};                 // the first one of a face or an object
+    std::vector<LampId> lampOrder = {};   // the world's kinds of lamp, sorted by what they are
 
     void addAim(Aim::What what, JsonValue value, std::size_t first, std::size_t count = 1) {
         description.aims.push_back({what, first, count, checker.faultAt(value)});

@@ -46,7 +46,8 @@ inline constexpr int kMaxSpriteSide = 1024;  // texels
 inline constexpr int kMaxObjects = 65'536;
 inline constexpr int kMaxMovingObjects = 4'096;  // a step looks at the surroundings of each
 // Levels that the bodies of all moving objects may reach into: a step looks at each. One that is at
-// most as high as a level counts as two, because it may be in between.
+// most as high as a level counts as two, because it may be in between; a higher one as two for each
+// level of its height, because what is around it is less often in the cache.
 inline constexpr int kMaxMovingLevels = 8'192;
 inline constexpr int kMaxPortals = 65'535;  // a PortalId has 16 bits, the last value means none
 // Places that portals lead to, each seen from a point of its own; portals that lead on alike, as

@@ -411,8 +411,8 @@ void resetMovers(World& world) {
 void showMovers(World& world, double part) {
     for (const Mover& mover : world.movers) {
         if (mover.offset == mover.previousOffset) continue;
-        place(world, mover, between(mover.previousOffset, mover.offset, part),
-              mover.previousOffset, mover.offset);
+        place(world, mover, between(mover.previousOffset, mover.offset, part), mover.previousOffset,
+              mover.offset);
     }
 }
 

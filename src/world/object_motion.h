@@ -195,9 +195,9 @@ inline constexpr int kLookSteps = 12;
 
 // The space of an object's body.
 Box objectBody(const Object& object);
-// How many levels it may reach into, see kMaxMovingLevels.
+// What it counts as in kMaxMovingLevels.
 inline int levelsOf(const Object& object) {
-    return Coordinate{object.height.raw - 1}.tile() + 2;
+    return 2 * (Coordinate{object.height.raw - 1}.tile() + 1);
 }
 
 // Where an object starts that was placed at `put`: there, or on its circle around it.

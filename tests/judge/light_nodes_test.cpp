@@ -139,7 +139,9 @@ TEST(LightNodes, AreTheSameUnderAnyCeiling) {
         map.baked = {.on = true,
                      .sun = {200, 200, 200, 255},
                      .altitude = 30.0,
-                     .lamps = {{toCoordinate(1.5), toCoordinate(1.5), toCoordinate(0.7),
+                     .lamps = {{toCoordinate(1.5),
+                                toCoordinate(1.5),
+                                toCoordinate(0.7),
                                 {.radius = tileEdge(16)}}}};
         for (int i = 0; i < 12; ++i) {
             LightTracer tracer(scene.world, map);

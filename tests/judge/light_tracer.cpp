@@ -367,13 +367,12 @@ Rgb LightTracer::through(const Vector& from, const Vector& way, bool endless) {
         if (!isBefore(left.out, end)) continue;
         const CellBlueprint& block = world_.blueprints[left.solid.id];
         // Parts of a mover are one block where one stands on the other, and along its motion
-        const Axis border = left.left == static_cast<int>(Face::top) ||
-                                    left.left == static_cast<int>(Face::bottom)
-                                ? Axis::z
-                            : left.left == static_cast<int>(Face::east) ||
-                                    left.left == static_cast<int>(Face::west)
-                                ? Axis::x
-                                : Axis::y;
+        const Axis border =
+            left.left == static_cast<int>(Face::top) || left.left == static_cast<int>(Face::bottom)
+                ? Axis::z
+            : left.left == static_cast<int>(Face::east) || left.left == static_cast<int>(Face::west)
+                ? Axis::x
+                : Axis::y;
         const bool isOneThere =
             border == Axis::z ||
             (block.motion >= 0 &&

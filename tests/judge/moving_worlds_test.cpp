@@ -197,10 +197,10 @@ void expectAt(const World& world, const Mover& mover, Coordinate offset, const s
             ASSERT_TRUE(apart <= 1 || apart == 65535 || partHigh <= partLow) << when;
             const int ahead = place - shaft.first;
             for (const RunStart& run : shaft.runs) {
-                const auto tile = static_cast<std::size_t>(
-                    static_cast<int>(run.tile) + (alongX   ? ahead
-                                                  : alongY ? ahead * map.width
-                                                           : 0));
+                const auto tile = static_cast<std::size_t>(static_cast<int>(run.tile) +
+                                                           (alongX   ? ahead
+                                                            : alongY ? ahead * map.width
+                                                                     : 0));
                 const int level = run.level + (alongX || alongY ? 0 : ahead);
                 const bool isThere = (map.occupied[tile] >> level & 1u) != 0;
                 ASSERT_EQ(isThere, partHigh > partLow) << when;

@@ -7,6 +7,8 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
+
 namespace slicecast::judge {
 namespace {
 
@@ -62,6 +64,15 @@ void prepareForTurn(World& world, int turn) {
                              static_cast<Pixel>(x / sky.panorama.width * 16);
     }
     sky.panorama = std::move(wider);
+}
+
+// Parts of what moves sideways join along their way whatever `join` says, but not through portals.
+// Turned, no blocks join through them.
+bool joinsOnlyHere(const World& world, int turn) {
+    return std::any_of(
+        world.blueprints.begin(), world.blueprints.end(), [&](const CellBlueprint& block) {
+            return block.seeThrough && movesSideways(world, block) && (turn != 0 || !block.join);
+        });
 }
 
 // Portals from map 0 to its copy, map 1: on whole tiles, on some faces of opaque blocks, on all
@@ -124,7 +135,7 @@ TEST_P(PortalIdentity, APortalToACopyIsNotSeen) {
     int changed = 0;
     for (std::uint64_t seed = 5000; pictures < 300; ++seed) {
         Scene scene = randomScene(seed, 96, 60);
-        if (!isFit(scene)) continue;
+        if (!isFit(scene) || joinsOnlyHere(scene.world, turn)) continue;
         scene.view.baked = false;  // that light knows no portals
         // Shares are rounded down, so those of a turned texture are not quite the same
         if (turn != 0) scene.view.smooth = false;

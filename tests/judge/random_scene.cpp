@@ -436,8 +436,10 @@ void crowdLamps(Random& random, Map& map) {
     if (!map.baked.on) return;
     const auto place = [&](int units) { return Coordinate{random.between(0, units * 4) << 14}; };
     for (int i = random.between(70, 150); i > 0; --i) {
-        Lamp lamp = {place(std::min(map.width, 6)), place(std::min(map.depth, 6)),
-                     place(std::min(map.levels, 4)), {}};
+        Lamp lamp = {place(std::min(map.width, 6)),
+                     place(std::min(map.depth, 6)),
+                     place(std::min(map.levels, 4)),
+                     {}};
         lamp.kind.colour = anyColour(random);
         lamp.kind.strength = random.between(0.02, 0.2);
         lamp.kind.radius = {random.between(65536, 6 * 65536)};

@@ -234,15 +234,17 @@ struct ManyLamps : WorldBuilder {
         block('L', {.name = "lift", .top = 0.5}).motion = 0;
         std::string rows = "\n";
         for (int y = 0; y < 33; ++y)
-            rows += (y == 3 ? "#......L........................#" : "#...............................#") +
+            rows += (y == 3 ? "#......L........................#"
+                            : "#...............................#") +
                     std::string("\n");
         Map& hall = map("hall", 2, rows);
         hall.baked.on = true;
         hall.baked.ambient = {30, 30, 30, 255};
         for (int i = 0; i < 33 * 66; ++i) {
-            hall.baked.lamps.push_back(
-                {toCoordinate(i % 33 + 0.5), toCoordinate(i / 66 + 0.5),
-                 toCoordinate(i / 33 % 2 == 0 ? 0.1 : 1.1), {.strength = 0.05, .radius = tileEdge(16)}});
+            hall.baked.lamps.push_back({toCoordinate(i % 33 + 0.5),
+                                        toCoordinate(i / 66 + 0.5),
+                                        toCoordinate(i / 33 % 2 == 0 ? 0.1 : 1.1),
+                                        {.strength = 0.05, .radius = tileEdge(16)}});
         }
         start(1.3, 4.4);
         EXPECT_TRUE(makeMovers(world).empty());

@@ -80,6 +80,7 @@ TEST(Costs, OfLoadingAreWithinThePromise) {
     EXPECT_LE(castles(costs), 2.0 * kMostLoad);
     EXPECT_LE(most, kMostLoad);
     EXPECT_LE(castles({{"colours", kMaxPlainTextures, 14'000.0}}), kMostLoad);
+    EXPECT_LE(castles({{"clouds", kMaxCloudShapes, 14'000'000.0}}), kMostLoad);
 }
 
 }  // namespace

@@ -268,14 +268,14 @@ TEST(Limits, SownObjects) {
     const std::string tall =
         R"({ "sprite": "bush", "density": 1, "height": 1.1,
              "motion": { "kind": "wander", "speed": 1 } })";
-    EXPECT_EQ(inWords(parseScene(sownScene(52, tall), "test.json").faults), "");
-    const ParsedScene taller = parseScene(sownScene(53, tall), "test.json");
+    EXPECT_EQ(inWords(parseScene(sownScene(45, tall), "test.json").faults), "");
+    const ParsedScene taller = parseScene(sownScene(46, tall), "test.json");
     ASSERT_EQ(taller.faults.size(), 1u);
     EXPECT_EQ(taller.faults[0].pointer, "/maps/0/sow/0");
     EXPECT_EQ(taller.faults[0].found,
               "moving objects that reach into more than 8192 levels, counting those before");
     EXPECT_EQ(taller.faults[0].expected,
-              "at most 8192 in a scene: one that is up to a unit high may reach into two");
+              "at most 8192 in a scene: each counts as two for each unit of its height");
 
     std::string kinds = bush;
     for (int i = 1; i < kMaxSowings; ++i) kinds += "," + bush;
@@ -283,6 +283,28 @@ TEST(Limits, SownObjects) {
     const ParsedScene many = parseScene(sownScene(3, kinds + "," + bush), "test.json");
     ASSERT_EQ(many.faults.size(), 1u);
     EXPECT_EQ(many.faults[0].found, "33 elements");
+}
+
+// Maps with the same clouds share them; each further shape would take 10 frames to make.
+TEST(Limits, ShapesOfClouds) {
+    const auto scene = [](int maps, int shapes) {
+        std::string list;
+        for (int i = 0; i < maps; ++i)
+            list += std::string(i > 0 ? "," : "") + R"({ "name": "m)" + std::to_string(i) +
+                    R"(", "levels": [["..", ".."]], "floor": "brick",
+                       "sky": { "low": "#ffffff", "high": "#4070c0",
+                                "clouds": { "seed": )" +
+                    std::to_string(i % shapes) + " } } }";
+        return R"({ "title": "Clouds", "textures": { "brick": "broken/images/brick.png" },
+               "blueprints": {}, "legend": {}, "maps": [)" +
+               list + R"(], "start": { "x": 1.5, "y": 1.5, "heading": 0 } })";
+    };
+    EXPECT_EQ(inWords(parseScene(scene(20, kMaxCloudShapes), "test.json").faults), "");
+    const ParsedScene many = parseScene(scene(20, kMaxCloudShapes + 1), "test.json");
+    ASSERT_FALSE(many.faults.empty());
+    EXPECT_EQ(many.faults[0].pointer, "/maps/4/sky/clouds");
+    EXPECT_EQ(many.faults[0].found, "clouds of more than 4 shapes");
+    EXPECT_EQ(many.faults[0].expected, "at most 4 in a scene; equal \"seed\" and \"size\" are one");
 }
 
 TEST(Limits, MovingBlocks) {

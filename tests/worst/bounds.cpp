@@ -282,7 +282,7 @@ std::string tallWalkers() {
                         });
     scene.map =
         R"(,"objects":[)" +
-        listOf(248,
+        listOf(132,
                [](int i) {
                    return R"({"sprite":"s","x":)" + ::text(1 + i % 38) + R"(.5,"y":)" +
                           ::text(1 + i / 38 % 38) +
