@@ -504,10 +504,10 @@ std::string manySprites() {
 std::string manyCopies() {
     Scene scene;
     scene.textures +=
-        "," + listOf(1500, [](int i) {
+        "," + listOf(900, [](int i) {
             return "\"" + ::text(i) + R"(":{"file":"../textures/rock.png","variants":["a"]})";
         });
-    scene.sprites = "," + listOf(700, [](int i) {
+    scene.sprites = "," + listOf(420, [](int i) {
                         return "\"" + ::text(i) +
                                R"(":{"file":"../sprites/walker.png","frames":8,"rate":)" +
                                ::text(i + 1) + "e-2}";
