@@ -5,17 +5,20 @@
 //     node tools/order-functions.mjs BINARYEN PROGRAM.wasm FEATURE...
 //
 // BINARYEN is the folder of wasm-dis and wasm-as, which come with Emscripten. Features are spelled
-// as Binaryen's options: --enable-simd.
+// as Binaryen's options: --enable-simd. wasm-opt should follow: wasm-as writes more bytes than it.
 
 import { execFileSync } from 'node:child_process';
 import { mkdtempSync, readFileSync, rmSync, writeFileSync } from 'node:fs';
 import { tmpdir } from 'node:os';
 import { join } from 'node:path';
 
-const kRun = 8; // so many equal lines count as a repetition
-const kWindow = 12000; // so many lines of text are about 32 KB of program
-const kShortIndices = 110; // functions whose index takes one byte, besides imported ones
-const kSmallFunction = 8; // lines added to each function, because short ones resemble anything
+const kRun = 6; // so many equal bytes count as a repetition
+const kWindow = 28000; // bytes: gzip's 32 KB, less a large function
+const kShortIndices = 128; // functions whose index takes one byte; imported ones come first
+const kSmallFunction = 8; // bytes added to each function, because short ones resemble anything
+
+const kSectionsAt = 8;
+const kCodeSection = 10;
 
 const [binaryen, program, ...features] = process.argv.slice(2);
 const folder = mkdtempSync(join(tmpdir(), 'slicecast-order-'));
@@ -24,7 +27,7 @@ try {
   execFileSync(join(binaryen, 'wasm-dis'), [program, '-o', text, ...features], {
     stdio: ['ignore', 'inherit', 'inherit'],
   });
-  writeFileSync(text, reordered(readFileSync(text, 'utf8')));
+  writeFileSync(text, reordered(readFileSync(text, 'utf8'), bodiesOf(readFileSync(program))));
   execFileSync(join(binaryen, 'wasm-as'), [text, '-o', program, ...features], {
     stdio: ['ignore', 'inherit', 'inherit'],
   });
@@ -32,7 +35,34 @@ try {
   rmSync(folder, { recursive: true });
 }
 
-function reordered(text) {
+// The bytes of each function.
+function bodiesOf(bytes) {
+  let at = kSectionsAt;
+  const number = () => {
+    let value = 0;
+    for (let shift = 0; ; shift += 7) {
+      const byte = bytes[at++];
+      value += (byte & 127) * 2 ** shift;
+      if (byte < 128) return value;
+    }
+  };
+  while (at < bytes.length) {
+    const section = bytes[at++];
+    const size = number();
+    if (section === kCodeSection) {
+      return Array.from({ length: number() }, () => {
+        const end = number() + at;
+        const body = bytes.subarray(at, end);
+        at = end;
+        return body;
+      });
+    }
+    at += size;
+  }
+  return [];
+}
+
+function reordered(text, bodies) {
   const before = [];
   const functions = [];
   const behind = [];
@@ -48,7 +78,11 @@ function reordered(text) {
       (functions.length === 0 ? before : behind).push(line);
     }
   }
-  return [...before, ...inOrder(functions).flat(), ...behind].join('\n');
+  if (functions.length !== bodies.length) throw new Error('cannot read what wasm-dis writes');
+  const imported = before.filter((line) => /^ \(import .* \(func /.test(line)).length;
+  const shortIndices = Math.max(0, kShortIndices - imported);
+  const order = inOrder(bodies, callsOf(functions), shortIndices);
+  return [...before, ...order.flatMap((index) => functions[index]), ...behind].join('\n');
 }
 
 function isWhole(line) {
@@ -56,9 +90,9 @@ function isWhole(line) {
 }
 
 // Greedy: always the function with the largest share of recently seen runs comes next. The most
-// called ones come first, because they then have short indices.
-function inOrder(functions) {
-  const runs = functions.map(runsOf);
+// called ones come first, as many as can have a short index.
+function inOrder(bodies, calls, shortIndices) {
+  const runs = bodies.map(runsOf);
   const users = new Map();
   runs.forEach((own, index) =>
     own.forEach((run) => {
@@ -66,7 +100,7 @@ function inOrder(functions) {
       users.get(run).push(index);
     }),
   );
-  const seen = functions.map(() => 0); // how many of its runs are in the window
+  const seen = bodies.map(() => 0); // how many of its runs are in the window
   const inWindow = new Map();
   const window = [];
   let size = 0;
@@ -79,44 +113,40 @@ function inOrder(functions) {
       });
   };
 
-  const calls = countCalls(functions);
-  const byCalls = functions.map((_, index) => index).sort((a, b) => calls[b] - calls[a] || a - b);
+  const byCalls = bodies.map((_, index) => index).sort((a, b) => calls[b] - calls[a] || a - b);
   const order = [];
-  for (const group of [byCalls.slice(0, kShortIndices), byCalls.slice(kShortIndices)]) {
+  for (const group of [byCalls.slice(0, shortIndices), byCalls.slice(shortIndices)]) {
     const left = new Set(group);
     while (left.size > 0) {
       let best = -1;
       let most = -1;
       for (const index of left) {
-        const share =
-          seen[index] / (runs[index].length + kSmallFunction) + runs[index].length * 1e-9;
+        const share = seen[index] / (runs[index].size + kSmallFunction) + runs[index].size * 1e-9;
         if (share > most) [best, most] = [index, share];
       }
       left.delete(best);
-      order.push(functions[best]);
+      order.push(best);
       runs[best].forEach((run) => count(run, 1));
       window.push(best);
-      size += runs[best].length;
+      size += bodies[best].length;
       while (size > kWindow && window.length > 1) {
         const oldest = window.shift();
         runs[oldest].forEach((run) => count(run, -1));
-        size -= runs[oldest].length;
+        size -= bodies[oldest].length;
       }
     }
   }
   return order;
 }
 
-// All runs of lines, with names removed.
-function runsOf(lines) {
-  const bare = lines.map((line) => line.trim().replace(/\$[^\s()]+/g, '$'));
-  const runs = [];
-  for (let i = 0; i === 0 || i + kRun <= bare.length; ++i)
-    runs.push(bare.slice(i, i + kRun).join('\n'));
+// All runs of bytes, each as a number.
+function runsOf(body) {
+  const runs = new Set();
+  for (let i = 0; i + kRun <= body.length; ++i) runs.add(body.readUIntLE(i, kRun));
   return runs;
 }
 
-function countCalls(functions) {
+function callsOf(functions) {
   const index = new Map(
     functions.map(([first], at) => [/^ \(func (\$[^\s()]+)/.exec(first)[1], at]),
   );
