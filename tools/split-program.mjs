@@ -22,7 +22,7 @@ import {
 } from 'node:fs';
 import { tmpdir } from 'node:os';
 import { join, resolve } from 'node:path';
-import { pathToFileURL } from 'node:url';
+import { fileURLToPath, pathToFileURL } from 'node:url';
 
 const kProfileBytes = 1 << 20;
 const kChannels = [1, 2, 3, 4]; // of a picture
@@ -58,12 +58,26 @@ try {
   run('wasm-split', whole, `--profile=${profile}`, '-o1', first, '-o2', later, '--export-prefix=%');
   const mark = markOf(readFileSync(whole));
   for (const part of [first, later]) {
-    run('wasm-opt', '-Oz', part, '-o', part);
+    order(part);
+    optimise(part);
     appendFileSync(part, mark);
   }
   copyFileSync(first, whole);
 } finally {
   rmSync(folder, { recursive: true });
+}
+
+// What is called in one place stays a function here too: one large function of many unlike parts
+// compresses worse than these beside their like.
+function optimise(part) {
+  run('wasm-opt', '-Oz', '--one-caller-inline-max-function-size=40', part, '-o', part);
+}
+
+function order(part) {
+  const tool = fileURLToPath(new URL('order-functions.mjs', import.meta.url));
+  execFileSync(process.execPath, [tool, binaryen, part, ...features], {
+    stdio: ['ignore', 'inherit', 'inherit'],
+  });
 }
 
 // A custom section "whole": both parts have the same one, so that a page notices parts of different
