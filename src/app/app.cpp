@@ -402,7 +402,7 @@ bool App::drawBeginning(const Picture& picture) {
             beginning_.reset();
             return false;
         }
-        if (next == beginning_->column) beginning_->lightLeft -= kLightOfSlice;
+        beginning_->lightLeft -= game_->report().lightWork;
         beginning_->column = next;
     } while (beginning_->column < picture.width && shell_.nowSeconds() - begin < kSliceSeconds);
     return beginning_->column >= picture.width;

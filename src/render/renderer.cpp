@@ -102,6 +102,7 @@ int Renderer::drawSome(const World& world, const Eye& eye, const RenderOptions& 
         const int columns = strips.draw(x);
         if (strips.frame.lit.allowance().late > 0) {
             scratch_->report = before;
+            scratch_->report.lightWork = strips.frame.lit.work();
             return x;
         }
         x += columns;

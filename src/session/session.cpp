@@ -228,7 +228,7 @@ void Session::drawOverlays(const Eye& seen, const Picture& picture) {
     }
     if (o.processPanel) {
         drawProcessPanel({.times = clock_.times(),
-                          .report = classicShare() < 1.0 ? &renderer_.report() : &classicReport_,
+                          .report = &report(),
                           .intensity = map.light.intensity,
                           .multiplier = map.light.multiplier,
                           .mirrors = o.render.mirrors,

@@ -134,7 +134,10 @@ public:
     // The player before the last step; after a leap, as now.
     const Player& beforeStep() const { return previous_; }
     const SessionOptions& options() const { return options_; }
-    const FrameReport& report() const { return renderer_.report(); }
+    // Of the last picture: of the exact method's part, if it has one.
+    const FrameReport& report() const {
+        return classicShare() < 1.0 ? renderer_.report() : classicReport_;
+    }
     std::int64_t steps() const { return steps_; }
     SessionState state() const;
     // The eye that draw(picture, fraction) uses.
