@@ -121,6 +121,10 @@ bool LightScene::meetCell(Travel& travel, const LightVector& cell, LightMoment e
     const BlueprintId id = map_->cells[map_->cellIndex(x, y, level)];
     const Look look = looks_[id];
     if (look.isWhole && !look.isClear) return false;
+    constexpr LightWork kWorkOfPart = 2;
+    constexpr LightWork kWorkOfClear = 4;
+    if (!look.isWhole) work_ += kWorkOfPart;
+    if (look.isClear) work_ += kWorkOfClear;
     const LightWay& way = travel.way;
     const CellBlueprint& block = world_->blueprints[id];
     Passage passage = {enter, leave, leftFace(axis, way.step[axis] > 0),
