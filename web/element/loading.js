@@ -18,7 +18,7 @@ import { hasParsed, whenParsed } from './parsing.js';
 import { findScene, noScene, tourAddress } from './source.js';
 import { Warnings } from './warnings.js';
 
-const kFirstPictureMilliseconds = 400; // at most; hidden pages draw no picture to wait for
+const kIdleMilliseconds = 400; // hidden pages draw no picture to wait for
 
 export class Loading {
   wanted = null; // the attributes' values, once read
@@ -41,6 +41,7 @@ export class Loading {
   #isUpdating = false;
   #again = null; // {keepEye} if the same key is to be loaded again
   #pictureCame = () => {};
+  #idle = 0; // the timer that ends waiting for the first picture
 
   constructor(host, game, actions) {
     this.#host = host;
@@ -106,6 +107,12 @@ export class Loading {
     this.#pictureCame();
   }
 
+  // A slice of one has been drawn.
+  pictureGoesOn() {
+    clearTimeout(this.#idle);
+    this.#idle = setTimeout(this.#pictureCame, kIdleMilliseconds);
+  }
+
   // Applies the view of the attribute again.
   applyView() {
     this.#view = null;
@@ -168,10 +175,11 @@ export class Loading {
       this.#apply();
       const picture = new Promise((resolve) => {
         this.#pictureCame = resolve;
-        setTimeout(resolve, kFirstPictureMilliseconds);
+        this.pictureGoesOn();
       });
       this.#game.begin();
       await picture;
+      clearTimeout(this.#idle);
       if (isStale()) return;
       await this.#game.complete();
       if (isStale()) return;

@@ -598,6 +598,7 @@ export class Show {
         if (this.ready !== null) this.tell('framechange', frameDetail(this.engine));
         break;
       case 'animation':
+        if (this.ready === null) this.#loading?.pictureGoesOn();
         if (this.#pace !== null) this.#pace.drew(value.time, value.milliseconds);
         else if (++this.#frames === kFramesToPace) this.#keepPace();
         break;
