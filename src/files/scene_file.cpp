@@ -71,14 +71,14 @@ ReadImages readImages(const ParsedScene& scene, const std::filesystem::path& fol
     return images;
 }
 
-LoadedScene readSceneFile(const std::filesystem::path& scene) {
+LoadedScene readSceneFile(const std::filesystem::path& scene, const Progress& progress) {
     const std::string name = scene.string();
     ReadFile text = readWholeFile(scene, kMaxSceneBytes);
     if (!text.fault.empty()) return notReadable(name, text.fault);
-    ParsedScene parsed = parseScene(text.text(), name);
+    ParsedScene parsed = parseScene(text.text(), name, progress);
     text = {};
     const ReadImages images = readImages(parsed, scene.parent_path());
-    LoadedScene loaded = loadScene(std::move(parsed), images.files);
+    LoadedScene loaded = loadScene(std::move(parsed), images.files, {}, progress);
     addReasons(loaded.faults, images.unread);
     return loaded;
 }

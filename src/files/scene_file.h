@@ -19,7 +19,7 @@ inline constexpr std::uintmax_t kMaxImageBytes = 64u << 20;
 
 // The world, or all faults. It is a fault if a file cannot be read, is too large, or is not a
 // regular file; so a pipe cannot block the caller.
-LoadedScene readSceneFile(const std::filesystem::path& scene);
+LoadedScene readSceneFile(const std::filesystem::path& scene, const Progress& progress = {});
 
 // The images that a scene names, with paths relative to `folder`, by their names in the scene:
 // `files` holds the bytes of those that could be read, `unread` the reasons why others could not,

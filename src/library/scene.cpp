@@ -48,12 +48,13 @@ World Scene::takeWorld() && {
     return std::move(*std::exchange(world_, nullptr));
 }
 
-LoadResult loadSceneFile(const std::filesystem::path& file) {
-    return resultOf(readSceneFile(file));
+LoadResult loadSceneFile(const std::filesystem::path& file, const Progress& progress) {
+    return resultOf(readSceneFile(file, progress));
 }
 
-LoadResult loadSceneText(std::string_view text, const std::string& name, const ImageFiles& images) {
-    return resultOf(loadScene(parseScene(text, name), images));
+LoadResult loadSceneText(std::string_view text, const std::string& name, const ImageFiles& images,
+                         const Progress& progress) {
+    return resultOf(loadScene(parseScene(text, name, progress), images, {}, progress));
 }
 
 }  // namespace slicecast

@@ -17,7 +17,7 @@ Frame::Frame(const World& w, const Eye& e, const RenderOptions& options, int wid
     textures.resize(w.textures.size());
     for (std::size_t i = 0; i < textures.size(); ++i) {
         const Texture& texture = w.textures[i];
-        const std::vector<TextureLevel>& levels = texture.levelsOf(texture.frameAt(w.steps));
+        const SharedVector<TextureLevel>& levels = texture.levelsOf(texture.frameAt(w.steps));
         textures[i] = {levels.data(), texture.size(), static_cast<int>(levels.size()) - 1,
                        texture.seeThrough};
     }

@@ -99,7 +99,7 @@ void FrameObjects::add(const Seen& seen, int firstGroup, int lastGroup) {
     shown.along = seen.depth / projection_->distance;
     shown.left = seen.left;
     shown.width = object.width.value();
-    const std::vector<SpriteLevel>& levels = world_->sprites[object.sprite].levelsAt(
+    const SharedVector<SpriteLevel>& levels = world_->sprites[object.sprite].levelsAt(
         world_->steps, sideTowards(object, from_.x - object.x.raw, from_.y - object.y.raw));
     shown.detail =
         detail_.levelAt(seen.depth, levels[0].height, static_cast<int>(levels.size()) - 1);

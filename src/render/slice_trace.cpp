@@ -179,6 +179,7 @@ private:
             rows.object = static_cast<int>(trace_.objects.size());
             trace_.objects.push_back(
                 {rows.map, span.portals, span.object, span.column.depth, span.first, span.last});
+            rows.side = shownSide(span);
         }
         const bool isWatched = span.first <= trace_.watchedRow && trace_.watchedRow < span.last;
         if (isWatched) {
@@ -245,12 +246,15 @@ private:
         return waterFogs_ == nullptr ? fog : std::min<std::uint32_t>(fog, waterFogs_[row]);
     }
 
-    const std::vector<SpriteLevel>& shownLevels(const Span& span) const {
+    ObjectSide shownSide(const Span& span) const {
         const Vista& vista = *found_.parts[static_cast<std::size_t>(span.part)].vista;
         const Viewpoint& from = vista.viewpoint;
         const Object& object = vista.map->objects[static_cast<std::size_t>(span.object)];
-        const ObjectSide view = sideTowards(object, from.x - object.x.raw, from.y - object.y.raw);
-        return frame_.world->sprites[span.image].levelsAt(frame_.world->steps, view);
+        return sideTowards(object, from.x - object.x.raw, from.y - object.y.raw);
+    }
+
+    const SharedVector<SpriteLevel>& shownLevels(const Span& span) const {
+        return frame_.world->sprites[span.image].levelsAt(frame_.world->steps, shownSide(span));
     }
 
     // The index of the column of texels, from the left.

@@ -4,6 +4,7 @@
 #include "base/coordinate.h"
 #include "render/options.h"
 #include "world/blueprint.h"
+#include "world/object.h"
 
 #include <array>
 #include <cstddef>
@@ -37,14 +38,15 @@ struct FilledRows {
     int first = 0;
     int last = 0;
     int map = 0;
-    int portals = 0;     // passed by the rays before it
-    int hit = -1;        // index of its block in SliceTrace::hits; -1 if it is not of a block
-    int object = -1;     // index into SliceTrace::objects
-    int begun = 0;       // classic method: its position before sorting by depth
-    bool layer = false;  // blended over the background, which is listed too
-    TextureId texture = kNoTexture;  // or the sprite's number; none for sky and haze
-    TracedTexel top = {};            // of the first row, if there is a texture
-    TracedTexel bottom = {};         // of the last row
+    int portals = 0;  // passed by the rays before it
+    int hit = -1;     // index of its block in SliceTrace::hits; -1 if it is not of a block
+    int object = -1;  // index into SliceTrace::objects
+    ObjectSide side = ObjectSide::front;  // of an object: the row of its sprite's sheet
+    int begun = 0;                        // classic method: its position before sorting by depth
+    bool layer = false;                   // blended over the background, which is listed too
+    TextureId texture = kNoTexture;       // or the sprite's number; none for sky and haze
+    TracedTexel top = {};                 // of the first row, if there is a texture
+    TracedTexel bottom = {};              // of the last row
     std::array<std::uint16_t, kMostDetails> rowsOfDetail = {};  // number of rows by level of detail
 };
 

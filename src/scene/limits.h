@@ -9,7 +9,7 @@
 //                                                        take no text
 //     blocks      bytes                                  what stands in a cell is looked at a few
 //                                                        times: movers, gates, room, entries
-//     movers      kMaxBlueprints + kMaxMovingCells       parts, and the cells that they reach
+//     movers      kMaxMoverParts + kMaxMovingCells       parts, and the cells that they reach
 //     sowing      bytes * kMaxSowings                    each kind looks at all tiles
 //     areas       kMaxNotices * kMaxMapWidth             see rooms.h
 //     portals     kMaxPortals * kMaxPortalWays
@@ -42,7 +42,7 @@ inline constexpr int kMaxSowings =
 inline constexpr int kMaxCloudShapes =
     4;  // of clouds, by seed and size: each takes some 10 frames to make, and 256 KB
 inline constexpr int kMaxPlainTextures =
-    4096;  // textures that are a colour: 15 characters of text make 22 KB of texels
+    2048;  // textures that are a colour: 15 characters of text make 22 KB of texels
 inline constexpr std::size_t kMaxFaults = 1000;            // faults listed; more do not help
 inline constexpr std::int64_t kMaxSceneCells = kMaxCells;  // of all maps together
 inline constexpr std::int64_t kMaxSceneTexels =

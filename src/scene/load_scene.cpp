@@ -1,4 +1,5 @@
 #include "base/sort.h"
+#include "base/task_list.h"
 #include "base/words.h"
 #include "scene/checker.h"
 #include "scene/description.h"
@@ -14,91 +15,100 @@
 namespace slicecast {
 namespace {
 
-// Reads the images of one scene, and collects what is wrong with them.
+// Reads the images of one scene, and collects what is wrong with them. Each frame is a task.
 class ImageReader {
 public:
-    ImageReader(const SceneDescription& description, const SceneFiles& files, EarlyImages& early)
-        : description_(description), files_(files), early_(early) {}
+    ImageReader(const SceneDescription& description, World& world, const SceneFiles& files,
+                EarlyImages early, TaskList& tasks)
+        : description_(description),
+          world_(world),
+          files_(files),
+          early_(std::move(early)),
+          tasks_(tasks) {}
 
-    // A picture that has been made already is copied.
-    Texture texture(const TextureReference& texture, std::string name,
-                    const std::vector<Texture>& made) {
-        const ImageReference& reference = texture.image;
-        const auto next = static_cast<std::size_t>(&texture - description_.textures.data());
-        const auto [known, isNew] = textures_.emplace(keyOf(texture), next);
-        if (!isNew && !made[known->second].levels.empty()) {
-            const Texture& like = made[known->second];
-            if (!take(reference,
-                      like.levels[0].texels.size() * static_cast<std::size_t>(like.frames())))
-                return {};
-            Texture copy = like;
-            copy.name = std::move(name);
-            copy.rate = like.frames() > 1 ? texture.rate : 0.0;
-            return copy;
+    // A picture that has been made already is shared.
+    void readTexture(std::size_t index) {
+        const TextureReference& wanted = description_.textures[index];
+        const ImageReference& reference = wanted.image;
+        Texture& texture = world_.textures[index];
+        texture.material = wanted.material;
+        texture.rate = wanted.frames > 1 ? wanted.rate : 0.0;
+        const auto [known, isNew] = textures_.emplace(keyOf(wanted), index);
+        const Texture& like = world_.textures[known->second];
+        if (!isNew && !like.levels.empty()) {
+            texture.levels = like.levels;
+            texture.laterFrames = like.laterFrames;
+            texture.seeThrough = like.seeThrough;
+            return;
         }
-        const Image image =
-            texture.colour ? plain(*texture.colour)
-                           : decode(reference, kMaxTextureSize * texture.frames, kMaxTextureSize);
-        if (image.empty()) return {};
-        const bool fits = image.width == image.height * texture.frames;
-        const bool isPowerOfTwo = std::has_single_bit(static_cast<unsigned>(image.height));
-        if (!fits || !isPowerOfTwo || image.height < kMinTextureSize) {
+        sheet_ = wanted.colour
+                     ? plain(*wanted.colour)
+                     : decode(reference, kMaxTextureSize * wanted.frames, kMaxTextureSize);
+        if (sheet_.empty()) return;
+        const bool fits = sheet_.width == sheet_.height * wanted.frames;
+        const bool isPowerOfTwo = std::has_single_bit(static_cast<unsigned>(sheet_.height));
+        if (!fits || !isPowerOfTwo || sheet_.height < kMinTextureSize) {
             const char* const sizes = "8, 16, 32, 64, 128, 256, 512 or 1024 pixels a side";
-            add(reference, {"which is ", image.width, "x", image.height, " pixels"},
-                texture.frames == 1 ? words("a square texture of ", sizes)
-                                    : words("a sheet of ", texture.frames,
-                                            " square frames side by side, each of ", sizes));
-            return {};
+            add(reference, {"which is ", sheet_.width, "x", sheet_.height, " pixels"},
+                wanted.frames == 1 ? words("a square texture of ", sizes)
+                                   : words("a sheet of ", wanted.frames,
+                                           " square frames side by side, each of ", sizes));
+            return;
         }
-        return take(reference, image.pixels.size())
-                   ? makeTexture(std::move(name), image, texture.frames, texture.rate)
-                   : Texture{};
+        if (!take(reference, sheet_.pixels.size())) return;
+        texture.seeThrough = !sheet_.isOpaque();
+        for (int frame = 0; frame < wanted.frames; ++frame)
+            tasks_.add([this, &texture, frame] {
+                addFrame(texture, textureFrame(sheet_, frame, texture.seeThrough));
+            });
     }
 
-    Sprite sprite(const TextureReference& sprite, std::string name,
-                  const std::vector<Sprite>& made) {
-        const ImageReference& reference = sprite.image;
-        const auto next = static_cast<std::size_t>(&sprite - description_.sprites.data());
-        const auto [known, isNew] = sprites_.emplace(keyOf(sprite), next);
-        if (!isNew && !made[known->second].frames.empty()) {
-            const Sprite& like = made[known->second];
-            if (!take(reference, like.frames.size() * like.frames[0][0].texels.size())) return {};
-            Sprite copy = like;
-            copy.name = std::move(name);
-            copy.rate = sprite.frames > 1 ? sprite.rate : 0.0;
-            return copy;
+    void readSprite(std::size_t index) {
+        const TextureReference& wanted = description_.sprites[index];
+        const ImageReference& reference = wanted.image;
+        Sprite& sprite = world_.sprites[index];
+        sprite.views = wanted.views;
+        sprite.rate = wanted.frames > 1 ? wanted.rate : 0.0;
+        const auto [known, isNew] = sprites_.emplace(keyOf(wanted), index);
+        const Sprite& like = world_.sprites[known->second];
+        if (!isNew && !like.frames.empty()) {
+            sprite.frames = like.frames;
+            return;
         }
-        const Image image =
-            decode(reference, kMaxSpriteSide * sprite.frames, kMaxSpriteSide * sprite.views);
-        if (image.empty()) return {};
-        if (image.width % sprite.frames != 0) {
-            add(reference, {"which is ", image.width, "x", image.height, " pixels"},
-                {"a sheet of ", sprite.frames, " frames of equal width side by side"});
-            return {};
+        sheet_ = decode(reference, kMaxSpriteSide * wanted.frames, kMaxSpriteSide * wanted.views);
+        if (sheet_.empty()) return;
+        if (sheet_.width % wanted.frames != 0) {
+            add(reference, {"which is ", sheet_.width, "x", sheet_.height, " pixels"},
+                {"a sheet of ", wanted.frames, " frames of equal width side by side"});
+            return;
         }
-        if (image.height % sprite.views != 0) {
-            add(reference, {"which is ", image.width, "x", image.height, " pixels"},
-                {"a sheet of ", sprite.views, " rows of equal height"});
-            return {};
+        if (sheet_.height % wanted.views != 0) {
+            add(reference, {"which is ", sheet_.width, "x", sheet_.height, " pixels"},
+                {"a sheet of ", wanted.views, " rows of equal height"});
+            return;
         }
-        return take(reference, image.pixels.size())
-                   ? makeSprite(std::move(name), image, sprite.frames, sprite.rate, sprite.views)
-                   : Sprite{};
+        if (!take(reference, sheet_.pixels.size())) return;
+        for (int frame = 0; frame < wanted.frames * wanted.views; ++frame)
+            tasks_.add([this, &sprite, &wanted, frame] {
+                sprite.frames.push_back(spriteFrame(sheet_, frame, wanted.frames, wanted.views));
+            });
     }
 
     // A file that several maps show is decoded once.
-    Image panorama(const PanoramaReference& panorama, const std::vector<Map>& maps) {
-        const ImageReference& reference = panorama.image;
+    void readPanorama(const PanoramaReference& wanted) {
+        const ImageReference& reference = wanted.image;
+        Image& panorama = world_.maps[wanted.map].sky.panorama;
         const auto known = panoramas_.find(reference.file);
         if (known != panoramas_.end()) {
-            const Image& image = maps[known->second].sky.panorama;
-            return take(reference, image.pixels.size()) ? image : Image{};
+            const Image& like = world_.maps[known->second].sky.panorama;
+            if (take(reference, like.pixels.size())) panorama = like;
+            return;
         }
         Image image = decode(reference, kMaxPanoramaWidth, kMaxPanoramaHeight);
         if (image.empty() || !isOpaque(reference, image) || !take(reference, image.pixels.size()))
-            return {};
-        panoramas_.emplace(reference.file, panorama.map);
-        return image;
+            return;
+        panoramas_.emplace(reference.file, wanted.map);
+        panorama = std::move(image);
     }
 
     // In the order of the text.
@@ -116,6 +126,13 @@ public:
     }
 
 private:
+    static void addFrame(Texture& texture, std::vector<TextureLevel> levels) {
+        if (texture.levels.empty())
+            texture.levels = std::move(levels);
+        else
+            texture.laterFrames.push_back(std::move(levels));
+    }
+
     void add(const ImageReference& reference, const Words& found, const Words& expected) {
         Fault fault;
         fault.file = description_.fileName;
@@ -180,8 +197,11 @@ private:
     }
 
     const SceneDescription& description_;
+    World& world_;
     const SceneFiles& files_;
-    EarlyImages& early_;
+    EarlyImages early_;
+    TaskList& tasks_;
+    Image sheet_;  // whose frames are being made
     std::vector<Fault> faults_;
     std::map<std::string, std::size_t> textures_;   // the first texture of a picture
     std::map<std::string, std::size_t> sprites_;    // the first sprite of a picture
@@ -219,45 +239,85 @@ std::string imageFound(std::string_view name, std::string_view what) {
     return words("\"", name, "\", ", what);
 }
 
-LoadedScene loadScene(ParsedScene scene, const SceneFiles& files, EarlyImages early) {
+struct SceneLoader::Work {
+    Work(ParsedScene given, const SceneFiles& files, EarlyImages early)
+        : scene(std::move(given)),
+          reader(*scene.description, world, files, std::move(early), tasks) {
+        world = std::move(scene.description->world);
+        for (std::size_t i = 0; i < world.textures.size(); ++i)
+            tasks.add([this, i] { reader.readTexture(i); });
+        for (std::size_t i = 0; i < world.sprites.size(); ++i)
+            tasks.add([this, i] { reader.readSprite(i); });
+        for (const PanoramaReference& panorama : scene.description->panoramas)
+            tasks.add([this, &panorama] { reader.readPanorama(panorama); });
+        tasks.add([this] {
+            loaded.faults = reader.takeFaults();
+            if (loaded.faults.empty()) finish();
+        });
+    }
+
+    // Once all pictures are there.
+    void finish();
+
+    ParsedScene scene;
+    World world;
+    TaskList tasks;
+    ImageReader reader;
     LoadedScene loaded;
-    if (!scene.description) {
-        loaded.faults = std::move(scene.faults);
-        return loaded;
-    }
-    SceneDescription& description = *scene.description;
-    ImageReader reader(description, files, early);
-    World world = std::move(description.world);
-    for (std::size_t i = 0; i < world.textures.size(); ++i) {
-        world.textures[i] = reader.texture(description.textures[i],
-                                           std::move(world.textures[i].name), world.textures);
-        world.textures[i].material = description.textures[i].material;
-    }
-    for (std::size_t i = 0; i < world.sprites.size(); ++i)
-        world.sprites[i] =
-            reader.sprite(description.sprites[i], std::move(world.sprites[i].name), world.sprites);
-    for (const PanoramaReference& panorama : description.panoramas) {
-        world.maps[panorama.map].sky.panorama = reader.panorama(panorama, world.maps);
-    }
-    loaded.faults = reader.takeFaults();
-    if (loaded.faults.empty()) {
-        makeGateFrames(world);
-        markSeeThrough(world);
-        markPlans(world);
+};
+
+void SceneLoader::Work::finish() {
+    tasks.add([this] { makeGateFrames(world); });
+    tasks.add([this] { markSeeThrough(world); });
+    tasks.add([this] { markPlans(world); });
+    tasks.add([this] {
         for (Map& map : world.maps) widenObjects(world, map);
-        startObjects(world);
+    });
+    tasks.add([this] { startObjects(world); });
+    tasks.add([this] {
         startQuest(world);
-    }
-    if (loaded.faults.empty()) {
         loaded.warnings = std::move(scene.warnings);
-        for (HiddenThing& thing : description.hiddenThings) {
+        for (HiddenThing& thing : scene.description->hiddenThings) {
             if (!world.blueprints[thing.block].seeThrough)
                 loaded.warnings.push_back(std::move(thing.warning));
         }
-        loaded.aims = std::move(description.aims);
+        loaded.aims = std::move(scene.description->aims);
         loaded.world = std::move(world);
-    }
+    });
+}
+
+SceneLoader::SceneLoader(ParsedScene scene, const SceneFiles& files, EarlyImages early) {
+    if (scene.description == nullptr)
+        faults_ = std::move(scene.faults);
+    else
+        work_ = std::make_unique<Work>(std::move(scene), files, std::move(early));
+}
+SceneLoader::SceneLoader(SceneLoader&&) noexcept = default;
+SceneLoader& SceneLoader::operator=(SceneLoader&&) noexcept = default;
+SceneLoader::~SceneLoader() = default;
+
+bool SceneLoader::next() {
+    return work_ != nullptr && work_->tasks.doNext();
+}
+
+double SceneLoader::share() const {
+    return work_ != nullptr ? work_->tasks.share() : 1.0;
+}
+
+LoadedScene SceneLoader::take() {
+    if (work_ != nullptr) return std::move(work_->loaded);
+    LoadedScene loaded;
+    loaded.faults = std::move(faults_);
     return loaded;
+}
+
+LoadedScene loadScene(ParsedScene scene, const SceneFiles& files, EarlyImages early,
+                      const Progress& progress) {
+    SceneLoader loader(std::move(scene), files, std::move(early));
+    while (loader.next()) {
+        if (progress) progress(kShareOfParsing + (1.0 - kShareOfParsing) * loader.share());
+    }
+    return loader.take();
 }
 
 }  // namespace slicecast

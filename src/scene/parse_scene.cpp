@@ -1,8 +1,10 @@
 #include "base/name_index.h"
+#include "base/task_list.h"
 #include "scene/limits.h"
 #include "scene/readers.h"
 
 #include <algorithm>
+#include <utility>
 
 namespace slicecast {
 namespace {
@@ -10,61 +12,6 @@ namespace {
 constexpr NumberRange kPortalLimit = {0.0, kMaxPortalLimit, false,
                                       "a whole number of portals, from 0 to 32"};
 static_assert(kMaxPortalLimit == 32, "as the words say");
-
-// Reads every part of the tree, even after faults in earlier ones.
-void readScene(Reading& reading, JsonValue root) {
-    Checker& checker = reading.checker;
-    const auto fields =
-        checker.fields(root,
-                       {"$schema", "title", "textures", "sprites", "motions", "blueprints",
-                        "legend", "maps", "portalLimit", "game", "start"},
-                       "a scene: an object with \"title\", \"textures\", \"maps\" and \"start\"");
-    if (!fields) return;
-    if (const auto schema = fields->find("$schema"))
-        checker.text(*schema, kMaxPathLength, "the address of the schema");
-    if (const auto title = fields->require("title", "the name of the scene")) {
-        reading.description.world.title =
-            checker.text(*title, kMaxTitleLength, "the name of the scene").value_or("");
-    }
-
-    const std::size_t faultsBefore = checker.count();
-    if (const auto textures = fields->require("textures", "a PNG file for each texture's name")) {
-        readTextures(reading, *textures);
-    } else {
-        reading.textures.takeAny();
-    }
-    if (const auto sprites = fields->find("sprites")) readSprites(reading, *sprites);
-    if (const auto motions = fields->find("motions")) readMotions(reading, *motions);
-    if (const auto blueprints = fields->find("blueprints")) readBlueprints(reading, *blueprints);
-    Legend legend(kEmptyCell, kEmptyCell);
-    if (const auto own = fields->find("legend"))
-        readLegend(checker, *own, reading.blueprints, "blueprint", legend);
-    reading.areBlueprintsSound = checker.count() == faultsBefore;
-
-    if (const auto maps = fields->require("maps", "an array of maps")) {
-        readMaps(reading, *maps, legend);
-    } else {
-        reading.maps.takeAny();
-    }
-    if (const auto limit = fields->find("portalLimit")) {
-        reading.description.world.portalLimit =
-            checker.wholeNumber(*limit, kPortalLimit).value_or(kDefaultPortalLimit);
-    }
-    placePortals(reading);
-    if (const auto maps = fields->find("maps")) placeMovers(reading, *maps);
-    if (const auto start = fields->require("start", "where the player starts"))
-        readStart(reading, *start);
-    placePaths(reading);
-    placeObjects(reading);
-    placeQuest(reading, fields->find("game"));
-    if (checker.count() == 0) findHiddenThings(reading);
-    const std::vector<Map>& maps = reading.description.world.maps;
-    if (reading.lamp &&
-        std::none_of(maps.begin(), maps.end(), [](const Map& map) { return map.baked.on; }))
-        checker.warn(*reading.lamp, "a lamp, but no map with \"baked\": it does not shine",
-                     "\"baked\" in its map");
-    placeVariants(reading);
-}
 
 // The files that a scene names, each once, in the order of the text.
 std::vector<std::string> filesOf(const SceneDescription& description) {
@@ -89,50 +36,159 @@ ParsedScene::ParsedScene(ParsedScene&&) noexcept = default;
 ParsedScene& ParsedScene::operator=(ParsedScene&&) noexcept = default;
 ParsedScene::~ParsedScene() = default;
 
-ParsedScene parseScene(std::string_view text, const std::string& fileName) {
+struct SceneParser::Work {
+    Work(std::string_view given, std::string fileName)
+        : text(given),
+          source(given.size() <= kMaxSceneBytes ? given : std::string_view()),
+          checker(source, fileName) {
+        description->fileName = std::move(fileName);
+        tasks.add([this] { readText(); });
+        tasks.add([this] { finish(); });
+    }
+
+    void readText();
+    void readScene();
+    void readPartsOfMaps();
+    void finish();
+
+    std::string_view text;
+    SourceText source;
+    Checker checker;
+    ParsedJson json;
+    std::unique_ptr<SceneDescription> description = std::make_unique<SceneDescription>();
+    TaskList tasks;
+    Reading reading{checker, *description, tasks, {}, {}, {}, {}, false, {}, 0};
+    std::optional<Fields> fields;  // of the root
+    Legend legend{kEmptyCell, kEmptyCell};
     ParsedScene parsed;
+};
+
+// Text to tree.
+void SceneParser::Work::readText() {
     if (text.size() > kMaxSceneBytes) {
         Fault fault;
-        fault.file = fileName;
+        fault.file = description->fileName;
         fault.found = words("a file of ", text.size(), " bytes");
         fault.expected = words("at most ", kMaxSceneBytes);
         parsed.faults.push_back(std::move(fault));
-        return parsed;
+        return;
     }
-
-    // Text to tree.
-    const SourceText source(text);
-    Checker checker(source, fileName);
     if (source.invalidByte()) {
         const bool isUtf16 = text.substr(0, 2) == "\xff\xfe" || text.substr(0, 2) == "\xfe\xff";
         checker.addSyntax({*source.invalidByte(),
                            isUtf16 ? "a text in UTF-16" : "bytes that are not UTF-8",
                            "a text file saved as UTF-8"});
-        parsed.faults = checker.take();
-        return parsed;
+        return;
     }
-    const ParsedJson json = parseJson(source);
-    if (json.fault) {
+    json = parseJson(source);
+    if (json.fault)
         checker.addSyntax(*json.fault);
-        parsed.faults = checker.take();
-        return parsed;
+    else
+        tasks.add([this] { readScene(); });
+}
+
+// Tree to description. Reads every part of the tree, even after faults in earlier ones.
+void SceneParser::Work::readScene() {
+    for (const auto& [again, first] : json.tree.duplicateKeys()) checker.addSecondKey(again, first);
+    fields =
+        checker.fields(json.tree.root(),
+                       {"$schema", "title", "textures", "sprites", "motions", "blueprints",
+                        "legend", "maps", "portalLimit", "game", "start"},
+                       "a scene: an object with \"title\", \"textures\", \"maps\" and \"start\"");
+    if (!fields) return;
+    if (const auto schema = fields->find("$schema"))
+        checker.text(*schema, kMaxPathLength, "the address of the schema");
+    if (const auto title = fields->require("title", "the name of the scene")) {
+        description->world.title =
+            checker.text(*title, kMaxTitleLength, "the name of the scene").value_or("");
     }
 
-    // Tree to description.
-    for (const auto& [again, first] : json.tree.duplicateKeys()) {
-        checker.addSecondKey(again, first);
+    tasks.add([this, faultsBefore = checker.count()] {
+        if (const auto textures =
+                fields->require("textures", "a PNG file for each texture's name")) {
+            readTextures(reading, *textures);
+        } else {
+            reading.textures.takeAny();
+        }
+        if (const auto sprites = fields->find("sprites")) readSprites(reading, *sprites);
+        if (const auto motions = fields->find("motions")) readMotions(reading, *motions);
+        if (const auto blueprints = fields->find("blueprints"))
+            readBlueprints(reading, *blueprints);
+        if (const auto own = fields->find("legend"))
+            readLegend(checker, *own, reading.blueprints, "blueprint", legend);
+        reading.areBlueprintsSound = checker.count() == faultsBefore;
+    });
+    tasks.add([this] {
+        if (const auto maps = fields->require("maps", "an array of maps")) {
+            readMaps(reading, *maps, legend);
+        } else {
+            reading.maps.takeAny();
+        }
+    });
+    tasks.add([this] { readPartsOfMaps(); });
+}
+
+// What can be read once all maps are known.
+void SceneParser::Work::readPartsOfMaps() {
+    if (const auto limit = fields->find("portalLimit")) {
+        description->world.portalLimit =
+            checker.wholeNumber(*limit, kPortalLimit).value_or(kDefaultPortalLimit);
     }
-    auto description = std::make_unique<SceneDescription>();
-    description->fileName = fileName;
-    Reading reading{checker, *description, {}, {}, {}, {}, false, {}, 0};
-    readScene(reading, json.tree.root());
-    parsed.faults = checker.take();
-    if (parsed.faults.empty()) {
-        parsed.warnings = checker.takeWarnings();
-        parsed.files = filesOf(*description);
-        parsed.description = std::move(description);
+    tasks.add([this] { placePortals(reading); });
+    tasks.add([this] {
+        if (const auto maps = fields->find("maps")) placeMovers(reading, *maps);
+    });
+    tasks.add([this] {
+        if (const auto start = fields->require("start", "where the player starts"))
+            readStart(reading, *start);
+        placePaths(reading);
+    });
+    tasks.add([this] { placeObjects(reading); });
+    tasks.add([this] { placeQuest(reading, fields->find("game")); });
+    tasks.add([this] {
+        if (checker.count() == 0) findHiddenThings(reading);
+        const std::vector<Map>& maps = description->world.maps;
+        if (reading.lamp &&
+            std::none_of(maps.begin(), maps.end(), [](const Map& map) { return map.baked.on; }))
+            checker.warn(*reading.lamp, "a lamp, but no map with \"baked\": it does not shine",
+                         "\"baked\" in its map");
+    });
+    tasks.add([this] { placeVariants(reading); });
+}
+
+void SceneParser::Work::finish() {
+    for (Fault& fault : checker.take()) parsed.faults.push_back(std::move(fault));
+    if (!parsed.faults.empty()) return;
+    parsed.warnings = checker.takeWarnings();
+    parsed.files = filesOf(*description);
+    parsed.description = std::move(description);
+}
+
+SceneParser::SceneParser(std::string_view text, std::string fileName)
+    : work_(std::make_unique<Work>(text, std::move(fileName))) {}
+SceneParser::SceneParser(SceneParser&&) noexcept = default;
+SceneParser& SceneParser::operator=(SceneParser&&) noexcept = default;
+SceneParser::~SceneParser() = default;
+
+bool SceneParser::next() {
+    return work_->tasks.doNext();
+}
+
+double SceneParser::share() const {
+    return work_->tasks.share();
+}
+
+ParsedScene SceneParser::take() {
+    return std::move(work_->parsed);
+}
+
+ParsedScene parseScene(std::string_view text, const std::string& fileName,
+                       const Progress& progress) {
+    SceneParser parser(text, fileName);
+    while (parser.next()) {
+        if (progress) progress(kShareOfParsing * parser.share());
     }
-    return parsed;
+    return parser.take();
 }
 
 }  // namespace slicecast

@@ -5,6 +5,7 @@
 #include "world/mover.h"
 
 #include <algorithm>
+#include <memory>
 #include <vector>
 
 namespace slicecast {
@@ -75,15 +76,18 @@ void placeMovers(Reading& reading, JsonValue maps) {
                                       [](bool isSound) { return isSound; });
     if (!areSound) return;
     World& world = reading.description.world;
-    std::vector<PlacingFault> faults = makeMovers(world);
-    const std::vector<PlacingFault> more = makeGates(world);
-    faults.insert(faults.end(), more.begin(), more.end());
-    for (const PlacingFault& fault : faults) addFault(reading, maps, fault);
-    // The blocks around the start are unknown then.
-    if (!faults.empty()) reading.areBlueprintsSound = false;
-    if (!faults.empty()) return;
-    checkGateFrames(reading, maps);
-    warnOfMissingGates(reading);
+    const auto faults = std::make_shared<std::vector<PlacingFault>>();
+    makeMovers(world, reading.tasks, *faults);
+    reading.tasks.add([&reading, maps, faults] {
+        const std::vector<PlacingFault> more = makeGates(reading.description.world);
+        faults->insert(faults->end(), more.begin(), more.end());
+        for (const PlacingFault& fault : *faults) addFault(reading, maps, fault);
+        // The blocks around the start are unknown then.
+        if (!faults->empty()) reading.areBlueprintsSound = false;
+        if (!faults->empty()) return;
+        checkGateFrames(reading, maps);
+        warnOfMissingGates(reading);
+    });
 }
 
 }  // namespace slicecast

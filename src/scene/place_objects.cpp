@@ -4,6 +4,10 @@
 #include "scene/readers.h"
 #include "world/collision.h"
 
+#include <algorithm>
+#include <memory>
+#include <optional>
+
 namespace slicecast {
 namespace {
 
@@ -40,11 +44,26 @@ void refuse(Reading& reading, JsonValue value, Sown sown) {
                         {"at most ", most, " in a scene"});
 }
 
+// What the tasks share.
+struct Placing {
+    explicit Placing(Reading& read) : reading(read), world(read.description.world) {}
+
+    bool checkMotions();
+    void sow(const SowingOrder& order);
+    bool takeLevels(JsonValue value, std::size_t first, std::size_t end);
+
+    Reading& reading;
+    World& world;
+    std::size_t next = 0;                  // of the motions to check
+    int levels = 0;                        // of moving objects
+    std::optional<std::size_t> map = {};   // the one that is sown
+    std::optional<TakenSpots> taken = {};  // in it
+    bool isOver = false;                   // after a fault that ends it
+};
+
 // Adds up the levels that the bodies of the motions from `first` to before `end` reach into. False
 // if all together are too many.
-bool takeLevels(Reading& reading, JsonValue value, std::size_t first, std::size_t end,
-                int& levels) {
-    const World& world = reading.description.world;
+bool Placing::takeLevels(JsonValue value, std::size_t first, std::size_t end) {
     for (std::size_t i = first; i < end && levels <= kMaxMovingLevels; ++i) {
         const ObjectMotion& motion = world.movingObjects.motions[i];
         levels += levelsOf(world.maps[static_cast<std::size_t>(motion.map)]
@@ -56,47 +75,56 @@ bool takeLevels(Reading& reading, JsonValue value, std::size_t first, std::size_
                          " levels, counting those before"},
                         {"at most ", kMaxMovingLevels,
                          " in a scene: each counts as two for each unit of its height"});
+    isOver = true;
     return false;
+}
+
+// Checks some of the motions. False if none is left.
+bool Placing::checkMotions() {
+    constexpr std::size_t kMotionsOfTask = 512;
+    const std::vector<PlacedMotion>& all = reading.placedMotions;
+    const std::size_t end = std::min(next + kMotionsOfTask, all.size());
+    for (; next < end; ++next) {
+        const PlacedMotion& placed = all[next];
+        if (!isSound(reading,
+                     static_cast<std::size_t>(world.movingObjects.motions[placed.motion].map)))
+            continue;
+        if (!takeLevels(placed.value, placed.motion, placed.motion + 1)) return false;
+        checkRoom(reading, placed);
+    }
+    return next < all.size();
+}
+
+void Placing::sow(const SowingOrder& order) {
+    if (isOver || !isSound(reading, order.map)) return;
+    if (map != order.map) taken.emplace(world.maps[order.map]);
+    map = order.map;
+    const std::size_t finds = world.quest.finds.size();
+    const std::size_t motions = world.movingObjects.motions.size();
+    const Sown sown = sowObjects(world, static_cast<int>(order.map), order.sowing, *taken);
+    if (sown != Sown::all) {
+        refuse(reading, order.value, sown);
+        isOver = true;
+        return;
+    }
+    if (!takeLevels(order.value, motions, world.movingObjects.motions.size())) return;
+    if (!order.sowing.find) return;
+    const std::size_t count = world.quest.finds.size() - finds;
+    if (count == 0) {
+        reading.checker.warn(order.value, "a find that is sown nowhere",
+                             "more density, or ground where it has room");
+    } else {
+        reading.addAim(Aim::What::finds, order.value, finds, count);
+    }
 }
 
 }  // namespace
 
 void placeObjects(Reading& reading) {
-    World& world = reading.description.world;
-    int levels = 0;  // of moving objects
-    for (const PlacedMotion& placed : reading.placedMotions) {
-        if (!isSound(reading,
-                     static_cast<std::size_t>(world.movingObjects.motions[placed.motion].map)))
-            continue;
-        if (!takeLevels(reading, placed.value, placed.motion, placed.motion + 1, levels)) return;
-        checkRoom(reading, placed);
-    }
-    for (std::size_t map = 0; map < world.maps.size(); ++map) {
-        if (!isSound(reading, map)) continue;
-        std::optional<TakenSpots> taken;
-        for (const SowingOrder& order : reading.sowings) {
-            if (order.map != map) continue;
-            if (!taken) taken.emplace(world.maps[map]);
-            const std::size_t finds = world.quest.finds.size();
-            const std::size_t motions = world.movingObjects.motions.size();
-            const Sown sown = sowObjects(world, static_cast<int>(map), order.sowing, *taken);
-            if (sown != Sown::all) {
-                refuse(reading, order.value, sown);
-                return;
-            }
-            if (!takeLevels(reading, order.value, motions, world.movingObjects.motions.size(),
-                            levels))
-                return;
-            if (!order.sowing.find) continue;
-            const std::size_t count = world.quest.finds.size() - finds;
-            if (count == 0) {
-                reading.checker.warn(order.value, "a find that is sown nowhere",
-                                     "more density, or ground where it has room");
-            } else {
-                reading.addAim(Aim::What::finds, order.value, finds, count);
-            }
-        }
-    }
+    const auto placing = std::make_shared<Placing>(reading);
+    reading.tasks.repeat([placing] { return placing->checkMotions(); });
+    for (const SowingOrder& order : reading.sowings)
+        reading.tasks.add([placing, &order] { placing->sow(order); });
 }
 
 void findHiddenThings(Reading& reading) {

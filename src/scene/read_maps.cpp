@@ -99,12 +99,14 @@ void readMaps(Reading& reading, JsonValue value, const Legend& legend) {
         reading.maps.takeAny();
         return;
     }
-    std::vector<Map>& maps = reading.description.world.maps;
     for (const JsonValue element : value) {
-        const std::size_t faultsBefore = checker.count();
-        maps.push_back(readMap(reading, element, maps.size(), legend));
-        reading.mapValues.push_back(element);
-        reading.isMapSound.push_back(checker.count() == faultsBefore);
+        reading.tasks.add([&reading, &legend, element] {
+            std::vector<Map>& maps = reading.description.world.maps;
+            const std::size_t faultsBefore = reading.checker.count();
+            maps.push_back(readMap(reading, element, maps.size(), legend));
+            reading.mapValues.push_back(element);
+            reading.isMapSound.push_back(reading.checker.count() == faultsBefore);
+        });
     }
 }
 

@@ -238,18 +238,21 @@ void readMessages(Reading& reading, JsonValue value) {
 }
 
 void placeQuest(Reading& reading, FoundValue game) {
-    World& world = reading.description.world;
-    for (const PlacedNeeds& placed : reading.needs) {
-        GateKind& kind = world.gateKinds[static_cast<std::size_t>(placed.gate)];
-        kind.needs = readNeeds(reading, placed.value);
-        if (reading.checker.count() == 0) checkNeeds(reading, placed.value, kind.needs);
-    }
-    if (game) readGame(reading, *game);
-    if (reading.checker.count() != 0) return;
-    for (const PlacedNotice& placed : reading.placedNotices) {
-        const Notice& notice = world.quest.notices[placed.notice];
-        checkArea(reading, placed.value, notice.map, notice.area, "a message");
-    }
+    reading.tasks.add([&reading, game] {
+        for (const PlacedNeeds& placed : reading.needs) {
+            GateKind& kind =
+                reading.description.world.gateKinds[static_cast<std::size_t>(placed.gate)];
+            kind.needs = readNeeds(reading, placed.value);
+            if (reading.checker.count() == 0) checkNeeds(reading, placed.value, kind.needs);
+        }
+        if (game) readGame(reading, *game);
+        if (reading.checker.count() != 0) return;
+        for (const PlacedNotice& placed : reading.placedNotices)
+            reading.tasks.add([&reading, &placed] {
+                const Notice& notice = reading.description.world.quest.notices[placed.notice];
+                checkArea(reading, placed.value, notice.map, notice.area, "a message");
+            });
+    });
 }
 
 }  // namespace slicecast

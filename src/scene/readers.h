@@ -2,6 +2,7 @@
 // and puts what it says into the description.
 #pragma once
 
+#include "base/task_list.h"
 #include "scene/checker.h"
 #include "scene/description.h"
 #include "scene/legend.h"
@@ -83,7 +84,6 @@ struct FollowedGate {
     int kind;
 };
 
-// What the readers share.
 // The shape of clouds that some map has.
 struct ReadClouds {
     std::uint32_t seed;
@@ -91,9 +91,11 @@ struct ReadClouds {
     std::shared_ptr<const CloudCover> shape;
 };
 
+// What the readers share.
 struct Reading {
     Checker& checker;
     SceneDescription& description;
+    TaskList& tasks;       // long readers leave their work to it, in parts
     NameTable textures;    // TextureId
     NameTable sprites;     // SpriteId
     NameTable blueprints;  // BlueprintId

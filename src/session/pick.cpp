@@ -16,7 +16,8 @@ int alphaOf(const World& world, const FilledRows& rows, const TracedTexel& texel
     const auto detail = static_cast<std::size_t>(texel.detail);
     Pixel pixel{};
     if (rows.what == What::object) {
-        const SpriteLevel& level = world.sprites[rows.texture].levelsAt(world.steps)[detail];
+        const SpriteLevel& level =
+            world.sprites[rows.texture].levelsAt(world.steps, rows.side)[detail];
         pixel = level.texels[static_cast<std::size_t>(texel.u * level.height + texel.v)];
     } else {
         const Texture& texture = world.textures[rows.texture];

@@ -42,9 +42,12 @@ using namespace slicecast;
 // the game of its session.
 struct SlicecastSession {
     bool ofProgram = false;
+    std::string text;  // that is being parsed
+    std::optional<SceneParser> parser;
     ParsedScene parsed;
     SceneFiles files;
-    EarlyImages early;                 // decoded from `files`
+    EarlyImages early;  // decoded from `files`
+    std::optional<SceneLoader> loader;
     std::optional<Recorder> recorder;  // of `own`, which writes to it
     std::optional<Replay> replay;
     std::unique_ptr<Session> own;
@@ -82,6 +85,8 @@ struct SlicecastSession {
         answer = std::move(text);
         return answer.c_str();
     }
+    void endParsing();
+    void endLoading();
 };
 
 namespace {
@@ -151,6 +156,42 @@ void takeButtons(Input& input, int32_t buttons) {
 
 }  // namespace
 
+void SlicecastSession::endParsing() {
+    parsed = parser->take();
+    parser.reset();
+    text = {};
+    JsonText json;
+    json.beginObject().key("files").beginArray();
+    for (const std::string& file : parsed.files) json.text(file);
+    json.endArray();
+    writeFaults(json, "faults", parsed.faults);
+    give(json.endObject().str());
+}
+
+void SlicecastSession::endLoading() {
+    LoadedScene loaded = loader->take();
+    loader.reset();
+    files.clear();
+    early = {};
+    JsonText json;
+    json.beginObject();
+    writeFaults(json, "faults", loaded.faults);
+    writeFaults(json, "warnings", loaded.warnings);
+    give(json.endObject().str());
+    if (!loaded.world) return;
+    auto loadedGame = std::make_unique<Session>(std::move(*loaded.world));
+    for (const OptionInfo& option : knownOptions())
+        loadedGame->setOption(option.name, currentValue(*this, option.name));
+    if (ofProgram) {
+        pageProgram().play(std::move(loadedGame));
+    } else {
+        own = std::move(loadedGame);
+        recorder.reset();
+        replay.reset();
+    }
+    parsed = {};
+}
+
 extern "C" {
 
 EMSCRIPTEN_KEEPALIVE const char* slicecast_version(void) {
@@ -175,18 +216,30 @@ EMSCRIPTEN_KEEPALIVE SlicecastSession* slicecast_programSession(void) {
 
 // ---- loading
 
-EMSCRIPTEN_KEEPALIVE const char* slicecast_parse(SlicecastSession* session, const char* text,
-                                                 int32_t textBytes, const char* fileName) {
+EMSCRIPTEN_KEEPALIVE void slicecast_parse(SlicecastSession* session, const char* text,
+                                          int32_t textBytes, const char* fileName) {
+    session->loader.reset();
     session->files.clear();
     session->early = {};
-    session->parsed =
-        parseScene(std::string_view(text, static_cast<std::size_t>(textBytes)), fileName);
-    JsonText json;
-    json.beginObject().key("files").beginArray();
-    for (const std::string& file : session->parsed.files) json.text(file);
-    json.endArray();
-    writeFaults(json, "faults", session->parsed.faults);
-    return session->give(json.endObject().str());
+    session->parser.reset();
+    session->text.assign(text, static_cast<std::size_t>(textBytes));
+    session->parser.emplace(session->text, fileName);
+}
+
+EMSCRIPTEN_KEEPALIVE double slicecast_next(SlicecastSession* session) {
+    constexpr double kMostOfTheWay = 0.99;
+    if (session->parser) {
+        if (session->parser->next()) return std::min(session->parser->share(), kMostOfTheWay);
+        session->endParsing();
+    } else if (session->loader) {
+        if (session->loader->next()) return std::min(session->loader->share(), kMostOfTheWay);
+        session->endLoading();
+    }
+    return 1.0;
+}
+
+EMSCRIPTEN_KEEPALIVE const char* slicecast_answer(SlicecastSession* session) {
+    return session->answer.c_str();
 }
 
 EMSCRIPTEN_KEEPALIVE const uint32_t* slicecast_supply(SlicecastSession* session,
@@ -200,31 +253,9 @@ EMSCRIPTEN_KEEPALIVE const uint32_t* slicecast_supply(SlicecastSession* session,
     return session->supplied;
 }
 
-EMSCRIPTEN_KEEPALIVE const char* slicecast_start(SlicecastSession* session) {
+EMSCRIPTEN_KEEPALIVE void slicecast_start(SlicecastSession* session) {
     // If the text had faults, this reports them again and makes no world.
-    LoadedScene loaded =
-        loadScene(std::move(session->parsed), session->files, std::move(session->early));
-    session->files.clear();
-    session->early = {};
-    JsonText json;
-    json.beginObject();
-    writeFaults(json, "faults", loaded.faults);
-    writeFaults(json, "warnings", loaded.warnings);
-    json.endObject();
-    if (!loaded.world) return session->give(json.str());
-
-    auto game = std::make_unique<Session>(std::move(*loaded.world));
-    for (const OptionInfo& option : knownOptions())
-        game->setOption(option.name, currentValue(*session, option.name));
-    if (session->ofProgram) {
-        pageProgram().play(std::move(game));
-    } else {
-        session->own = std::move(game);
-        session->recorder.reset();
-        session->replay.reset();
-    }
-    session->parsed = {};
-    return session->give(json.str());
+    session->loader.emplace(std::move(session->parsed), session->files, std::move(session->early));
 }
 
 EMSCRIPTEN_KEEPALIVE uint32_t slicecast_memoryEnd(void) {

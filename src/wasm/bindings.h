@@ -81,11 +81,19 @@ void slicecast_free(SlicecastSession* session);
 // The session of the program. It always exists and is never freed.
 SlicecastSession* slicecast_programSession(void);
 
-// Checks the text of a scene; `fileName` is used in the faults. Returns {"files": [names of the
-// images needed], "faults": [...]}. A running game continues until slicecast_start. Forgets the
-// images supplied for an earlier text.
-const char* slicecast_parse(SlicecastSession* session, const char* text, int32_t textBytes,
-                            const char* fileName);
+// Begins to check the text of a scene; `fileName` is used in the faults. The answer is {"files":
+// [names of the images needed], "faults": [...]}. A running game continues until the end of
+// slicecast_start. Forgets the images supplied for an earlier text, and what is still to do.
+void slicecast_parse(SlicecastSession* session, const char* text, int32_t textBytes,
+                     const char* fileName);
+
+// Does a small part of what slicecast_parse or slicecast_start has begun: some milliseconds, so
+// that a page can do something else in between. Returns the share that is done: below 1, or 1 when
+// slicecast_answer has the answer.
+double slicecast_next(SlicecastSession* session);
+
+// Valid until the session's next answer of any kind.
+const char* slicecast_answer(SlicecastSession* session);
 
 // Supplies the bytes of one of those files and decodes the picture at once. Returns two numbers:
 // the address of its pixels and their size in bytes (R, G, B, A for each pixel). Both are 0 if it
@@ -96,9 +104,11 @@ const char* slicecast_parse(SlicecastSession* session, const char* text, int32_t
 const uint32_t* slicecast_supply(SlicecastSession* session, const char* fileName,
                                  const uint8_t* bytes, int32_t byteCount, int32_t blank);
 
-// Builds the world and starts to play it. Returns {"faults": [...], "warnings": [...]}. With any
-// fault the game that ran before continues; warnings do not prevent playing. Options are kept.
-const char* slicecast_start(SlicecastSession* session);
+// Begins to build the world, which is played at the end. The answer is {"faults": [...],
+// "warnings":
+// [...]}. With any fault the game that ran before continues; warnings do not prevent playing.
+// Options are kept.
+void slicecast_start(SlicecastSession* session);
 
 // The size of the module's memory in use, in bytes from its start.
 uint32_t slicecast_memoryEnd(void);

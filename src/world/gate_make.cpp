@@ -91,12 +91,12 @@ Gate makeMovingGate(World& world, int moverIndex) {
 // keeps frame 0, which faces that are not gates show.
 TextureId framesOf(World& world, TextureId sheet) {
     const auto later = static_cast<TextureId>(world.textures.size());
-    std::vector<std::vector<TextureLevel>> frames = std::move(world.textures[sheet].laterFrames);
-    world.textures[sheet].laterFrames.clear();
-    for (std::vector<TextureLevel>& levels : frames) {
+    const std::vector<SharedVector<TextureLevel>> frames =
+        std::exchange(world.textures[sheet].laterFrames, {});
+    for (const SharedVector<TextureLevel>& levels : frames) {
         Texture texture;
         texture.name = world.textures[sheet].name;
-        texture.levels = std::move(levels);
+        texture.levels = levels;
         texture.seeThrough = world.textures[sheet].seeThrough;
         texture.material = world.textures[sheet].material;
         world.textures.push_back(std::move(texture));

@@ -6,7 +6,7 @@
 // header of the same name as their subject.
 //
 //     movers      kMaxMovers                             each moves
-//                 kMaxBlueprints                         parts of movers, one for each place
+//                 kMaxMoverParts                         parts of movers, one for each place
 //                 kMaxMovingCells                        cells that they get into or leave
 //     objects     kMaxMovingLevels                       what is around a body, for each level
 //                 kMaxMovingObjects * kMostNeighbours    others in its way

@@ -32,12 +32,15 @@
 
 namespace slicecast {
 
+class TaskList;
+
 struct Body;
 struct World;
 
 // All cells of movers, with the cells that they reach.
 inline constexpr std::size_t kMaxMovingCells = 1'000'000;
-inline constexpr std::size_t kMaxMovers = 8'192;  // a step moves each
+inline constexpr std::size_t kMaxMoverParts = 32'768;  // blueprints of movers, one for each place
+inline constexpr std::size_t kMaxMovers = 8'192;       // a step moves each
 
 // Where a run of a shaft's cells begins, in the shaft's first place.
 struct RunStart {
@@ -73,6 +76,9 @@ struct Mover {
 // Finds the movers of a world whose cells are complete, and puts them in their initial places.
 // Returns faults; with any the world is unusable.
 std::vector<PlacingFault> makeMovers(World& world);
+
+// The same as tasks, which add to the faults; all three must outlive them.
+void makeMovers(World& world, TaskList& tasks, std::vector<PlacingFault>& faults);
 
 // One step of all movers that no gate moves. Moves the bodies along. Call findEncounters before.
 void stepMovers(World& world, std::span<Body> bodies);

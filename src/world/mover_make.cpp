@@ -1,6 +1,7 @@
 // Finds the movers of a world and gives each blueprints of its own.
 #include "base/number_text.h"
 #include "base/sort.h"
+#include "base/task_list.h"
 #include "base/words.h"
 #include "world/mover.h"
 #include "world/moving_cells.h"
@@ -8,6 +9,8 @@
 
 #include <algorithm>
 #include <functional>
+#include <memory>
+#include <optional>
 #include <string>
 #include <string_view>
 #include <utility>
@@ -57,11 +60,28 @@ std::vector<MapTile> exitsOfLevelFaces(const World& world) {
     return exits;
 }
 
+// A mover that is being made.
+struct InMaking {
+    Mover mover;
+    std::vector<CellPlace> cells = {};     // of a run follow each other
+    std::size_t next = 0;                  // in `cells`
+    std::vector<Run> runs = {};            // of the shafts
+    std::vector<std::size_t> sorted = {};  // indices into it
+};
+
 struct Maker {
     World& world;
-    std::vector<MapTile> exits;           // see exitsOfLevelFaces
-    std::size_t cells = kMaxMovingCells;  // remaining
-    std::vector<PlacingFault> faults = {};
+    std::vector<PlacingFault>& faults;
+    TaskList& tasks;
+    std::vector<BlueprintId> kinds;
+    std::vector<MapTile> exits;                       // see exitsOfLevelFaces
+    std::size_t cells = kMaxMovingCells;              // remaining
+    std::vector<std::vector<CellPlace>> groups = {};  // of the map
+    std::size_t group = 0;                            // the next one
+    std::optional<InMaking> making = {};
+    std::size_t placesDone = 0;  // in the task
+    std::size_t partsMade = 0;
+    bool isOver = false;  // after a fault that ends it
 
     void addFault(int map, const CellPlace& at, std::string found, std::string expected) {
         faults.push_back({map, at.x, at.y, at.level, std::move(found), std::move(expected)});
@@ -70,7 +90,10 @@ struct Maker {
         return words("the moving block \"", world.blueprints[id].name, "\"");
     }
 
-    void makeMover(int mapIndex, std::vector<CellPlace> group);
+    void beginMap(int mapIndex);
+    bool makeSome(int mapIndex);
+    void beginMover(int mapIndex);
+    bool makeNextRun(int mapIndex);
     bool makeShaft(int mapIndex, const Run& run, const Motion& motion, int mover, Shaft& shaft);
     bool findReach(int mapIndex, const Run& run, const Motion& motion, Shaft& shaft);
     bool takeRun(int mapIndex, const Run& run, const Motion& motion, Shaft& shaft);
@@ -127,9 +150,13 @@ bool Maker::makeShaft(int mapIndex, const Run& run, const Motion& motion, int mo
 
     // A blueprint for each place
     const std::size_t parts = static_cast<std::size_t>(shaft.last - shaft.first + 1);
-    if (world.blueprints.size() + parts > static_cast<std::size_t>(kMaxBlueprints)) {
+    partsMade += parts;
+    if (partsMade > kMaxMoverParts ||
+        world.blueprints.size() + parts > static_cast<std::size_t>(kMaxBlueprints)) {
         addFault(mapIndex, run.at,
-                 words(block, " whose parts make more than ", kMaxBlueprints, " blueprints"),
+                 partsMade > kMaxMoverParts
+                     ? words("more than ", kMaxMoverParts, " parts of moving blocks")
+                     : words(block, " whose parts make more than ", kMaxBlueprints, " blueprints"),
                  motion.isSideways()
                      ? "fewer moving blocks and gates, or fewer tiles that they reach"
                      : "fewer moving blocks and gates, or fewer levels that they reach");
@@ -248,84 +275,122 @@ bool Maker::takeRun(int mapIndex, const Run& run, const Motion& motion, Shaft& s
     return true;
 }
 
-void Maker::makeMover(int mapIndex, std::vector<CellPlace> group) {
+void Maker::beginMover(int mapIndex) {
     const Map& map = world.maps[static_cast<std::size_t>(mapIndex)];
-    const int index = static_cast<int>(world.movers.size());
-    Mover mover;
+    making.emplace();
+    making->cells = std::move(groups[group++]);
+    const CellPlace& first = making->cells[0];
+    Mover& mover = making->mover;
     mover.map = mapIndex;
-    mover.motion = world.blueprints[map.cell(group[0].x, group[0].y, group[0].level)].motion;
-    mover.west = mover.east = group[0].x;
-    mover.north = mover.south = group[0].y;
-    const Motion& motion = world.motions[static_cast<std::size_t>(mover.motion)];
-    const Axis axis = motion.axis;
-    // Cells of a run follow each other
-    const auto acrossFirst = [axis](CellPlace a, CellPlace b) {
+    mover.motion = world.blueprints[map.cell(first.x, first.y, first.level)].motion;
+    mover.west = mover.east = first.x;
+    mover.north = mover.south = first.y;
+    const Axis axis = world.motions[static_cast<std::size_t>(mover.motion)].axis;
+    mergeSort(making->cells, [axis](CellPlace a, CellPlace b) {
         const int placeA = std::exchange(placeAlong(a, axis), 0);
         const int placeB = std::exchange(placeAlong(b, axis), 0);
         return a != b ? a < b : placeA < placeB;
-    };
-    mergeSort(group, acrossFirst);
-    std::vector<Run> runs;            // of the shafts
-    std::vector<std::size_t> sorted;  // indices into it
-    for (std::size_t i = 0; i < group.size();) {
-        Run run = {group[i], {}};
-        CellPlace next = run.at;
-        for (; i < group.size() && group[i] == next; ++i, ++placeAlong(next, axis))
-            run.blueprints.push_back(map.cell(next.x, next.y, next.level));
-        // Its shaft, shared by all places with the same run
-        const auto known = std::lower_bound(
-            sorted.begin(), sorted.end(), run,
-            [&](std::size_t a, const Run& b) { return runs[a].isBefore(b, axis); });
-        const bool isNew = known == sorted.end() || run.isBefore(runs[*known], axis);
-        const std::size_t number = isNew ? runs.size() : *known;
-        if (isNew) {
-            mover.shafts.emplace_back();
-            if (!makeShaft(mapIndex, run, motion, index, mover.shafts.back())) return;
-            sorted.insert(known, number);
-            runs.push_back(run);
-        }
-        Shaft& shaft = mover.shafts[number];
-        if (!takeRun(mapIndex, run, motion, shaft)) return;
-        const bool alongX = axis == Axis::x;
-        const bool alongY = axis == Axis::y;
-        mover.west = std::min(mover.west, alongX ? shaft.first : run.at.x);
-        mover.east = std::max(mover.east, alongX ? shaft.last : run.at.x);
-        mover.north = std::min(mover.north, alongY ? shaft.first : run.at.y);
-        mover.south = std::max(mover.south, alongY ? shaft.last : run.at.y);
+    });
+}
+
+// False if it has a fault.
+bool Maker::makeNextRun(int mapIndex) {
+    const Map& map = world.maps[static_cast<std::size_t>(mapIndex)];
+    auto& [mover, places, i, runs, sorted] = *making;
+    const Motion& motion = world.motions[static_cast<std::size_t>(mover.motion)];
+    const Axis axis = motion.axis;
+    Run run = {places[i], {}};
+    CellPlace next = run.at;
+    for (; i < places.size() && places[i] == next; ++i, ++placeAlong(next, axis))
+        run.blueprints.push_back(map.cell(next.x, next.y, next.level));
+    // Its shaft, shared by all places with the same run
+    const auto known =
+        std::lower_bound(sorted.begin(), sorted.end(), run,
+                         [&](std::size_t a, const Run& b) { return runs[a].isBefore(b, axis); });
+    const bool isNew = known == sorted.end() || run.isBefore(runs[*known], axis);
+    const std::size_t number = isNew ? runs.size() : *known;
+    if (isNew) {
+        mover.shafts.emplace_back();
+        if (!makeShaft(mapIndex, run, motion, static_cast<int>(world.movers.size()),
+                       mover.shafts.back()))
+            return false;
+        sorted.insert(known, number);
+        runs.push_back(run);
     }
-    world.movers.push_back(std::move(mover));
+    Shaft& shaft = mover.shafts[number];
+    if (!takeRun(mapIndex, run, motion, shaft)) return false;
+    const bool alongX = axis == Axis::x;
+    const bool alongY = axis == Axis::y;
+    mover.west = std::min(mover.west, alongX ? shaft.first : run.at.x);
+    mover.east = std::max(mover.east, alongX ? shaft.last : run.at.x);
+    mover.north = std::min(mover.north, alongY ? shaft.first : run.at.y);
+    mover.south = std::max(mover.south, alongY ? shaft.last : run.at.y);
+    placesDone += static_cast<std::size_t>(shaft.last - shaft.first + 1) + run.blueprints.size();
+    return true;
+}
+
+// Makes movers of the map's groups, for one task. False if none are left.
+bool Maker::makeSome(int mapIndex) {
+    constexpr std::size_t kPlacesOfTask = 4096;
+    placesDone = 0;
+    while (placesDone < kPlacesOfTask) {
+        if (!making) {
+            if (group == groups.size() || faults.size() >= kMaxPlacingFaults) return false;
+            if (world.movers.size() == kMaxMovers) {
+                addFault(mapIndex, groups[group][0],
+                         words("more than ", kMaxMovers,
+                               " moving blocks, of which those that touch are one"),
+                         words("at most ", kMaxMovers, " in a scene"));
+                isOver = true;
+                return false;
+            }
+            beginMover(mapIndex);
+        }
+        if (!makeNextRun(mapIndex)) {
+            making.reset();
+        } else if (making->next == making->cells.size()) {
+            world.movers.push_back(std::move(making->mover));
+            making.reset();
+        }
+    }
+    return true;
+}
+
+void Maker::beginMap(int mapIndex) {
+    if (isOver) return;
+    groups.clear();
+    group = 0;
+    if (groupCells(world.maps[static_cast<std::size_t>(mapIndex)], kinds, cells, groups)) {
+        tasks.repeat([this, mapIndex] { return makeSome(mapIndex); });
+        return;
+    }
+    addFault(mapIndex, {}, words("more than ", kMaxMovingCells, " cells of moving blocks"),
+             "fewer or smaller ones");
+    isOver = true;
 }
 
 }  // namespace
 
-std::vector<PlacingFault> makeMovers(World& world) {
-    const std::vector<BlueprintId> kinds = kindsOf(world, &CellBlueprint::motion);
+void makeMovers(World& world, TaskList& tasks, std::vector<PlacingFault>& faults) {
+    std::vector<BlueprintId> kinds = kindsOf(world, &CellBlueprint::motion);
     if (std::all_of(kinds.begin(), kinds.end(),
                     [](BlueprintId kind) { return kind == kEmptyCell; }))
-        return {};
-    Maker maker{world, exitsOfLevelFaces(world)};
-    for (std::size_t map = 0; map < world.maps.size(); ++map) {
-        std::vector<std::vector<CellPlace>> groups;
-        if (!groupCells(world.maps[map], kinds, maker.cells, groups)) {
-            maker.addFault(static_cast<int>(map), {},
-                           words("more than ", kMaxMovingCells, " cells of moving blocks"),
-                           "fewer or smaller ones");
-            break;
-        }
-        for (const std::vector<CellPlace>& group : groups) {
-            if (maker.faults.size() >= kMaxPlacingFaults) break;
-            if (world.movers.size() == kMaxMovers) {
-                maker.addFault(static_cast<int>(map), group[0],
-                               words("more than ", kMaxMovers,
-                                     " moving blocks, of which those that touch are one"),
-                               words("at most ", kMaxMovers, " in a scene"));
-                return std::move(maker.faults);
-            }
-            maker.makeMover(static_cast<int>(map), group);
-        }
-    }
-    if (maker.faults.empty()) resetMovers(world);
-    return std::move(maker.faults);
+        return;
+    const auto maker =
+        std::make_shared<Maker>(world, faults, tasks, std::move(kinds), exitsOfLevelFaces(world));
+    for (int map = 0; map < static_cast<int>(world.maps.size()); ++map)
+        tasks.add([maker, map] { maker->beginMap(map); });
+    tasks.add([maker] {
+        if (maker->faults.empty()) resetMovers(maker->world);
+    });
+}
+
+std::vector<PlacingFault> makeMovers(World& world) {
+    TaskList tasks;
+    std::vector<PlacingFault> faults;
+    makeMovers(world, tasks, faults);
+    tasks.doAll();
+    return faults;
 }
 
 }  // namespace slicecast

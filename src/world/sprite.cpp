@@ -5,10 +5,21 @@
 #include <utility>
 
 namespace slicecast {
-const std::vector<SpriteLevel>& Sprite::levelsAt(std::int64_t steps, ObjectSide view) const {
+const SharedVector<SpriteLevel>& Sprite::levelsAt(std::int64_t steps, ObjectSide view) const {
     const int count = static_cast<int>(frames.size()) / views;
     const int row = views == 1 ? 0 : static_cast<int>(view);
     return frames[static_cast<std::size_t>(row * count + frameAt(steps, rate, count))];
+}
+
+std::vector<SpriteLevel> spriteFrame(const Image& sheet, int frame, int frames, int views) {
+    int width = sheet.width / frames;
+    int height = sheet.height / views;
+    std::vector<SpriteLevel> levels = {
+        {width, height, columnsOf(sheet, frame % frames, width, frame / frames * height, height)}};
+    for (; width % 2 == 0 && height % 2 == 0; width /= 2, height /= 2)
+        levels.push_back({width / 2, height / 2, halved(levels.back().texels, height)});
+    for (SpriteLevel& level : levels) level.runs = TexelRuns(level.texels, level.height);
+    return levels;
 }
 
 Sprite makeSprite(std::string name, const Image& image, int frames, double rate, int views) {
@@ -16,18 +27,8 @@ Sprite makeSprite(std::string name, const Image& image, int frames, double rate,
     sprite.name = std::move(name);
     sprite.rate = frames > 1 ? rate : 0.0;
     sprite.views = views;
-    const int rowHeight = image.height / views;
-    for (int i = 0; i < frames * views; ++i) {
-        int width = image.width / frames;
-        int height = rowHeight;
-        std::vector<SpriteLevel> levels = {
-            {width, height, columnsOf(image, i % frames, width, i / frames * height, height)}};
-        for (; width % 2 == 0 && height % 2 == 0; width /= 2, height /= 2) {
-            levels.push_back({width / 2, height / 2, halved(levels.back().texels, height)});
-        }
-        for (SpriteLevel& level : levels) level.runs = TexelRuns(level.texels, level.height);
-        sprite.frames.push_back(std::move(levels));
-    }
+    for (int frame = 0; frame < frames * views; ++frame)
+        sprite.frames.push_back(spriteFrame(image, frame, frames, views));
     return sprite;
 }
 

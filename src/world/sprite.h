@@ -5,6 +5,7 @@
 #pragma once
 
 #include "base/image.h"
+#include "base/shared_vector.h"
 #include "world/object.h"
 #include "world/texel_runs.h"
 
@@ -22,14 +23,18 @@ struct SpriteLevel {
 
 struct Sprite {
     std::string name;
-    std::vector<std::vector<SpriteLevel>> frames;  // row after row
+    // Row after row. Sprites of the same picture share them.
+    std::vector<SharedVector<SpriteLevel>> frames;
     double rate = 0.0;  // frames per second, repeating; 0 for a single frame
     int views = 1;      // rows: 1 or kSpriteViews
 
     // The frame of a row that is shown after so many steps, as of a texture.
-    const std::vector<SpriteLevel>& levelsAt(std::int64_t steps,
-                                             ObjectSide view = ObjectSide::front) const;
+    const SharedVector<SpriteLevel>& levelsAt(std::int64_t steps,
+                                              ObjectSide view = ObjectSide::front) const;
 };
+
+// A frame of a sheet of frames side by side, in all sizes; frames are counted row after row.
+std::vector<SpriteLevel> spriteFrame(const Image& sheet, int frame, int frames, int views);
 
 Sprite makeSprite(std::string name, const Image& image, int frames = 1, double rate = 0.0,
                   int views = 1);

@@ -10,29 +10,6 @@
 namespace slicecast {
 namespace {
 
-// Whether all texels are alike, and opaque: then so are those of all sizes.
-bool isPlain(const Image& image, bool seeThrough) {
-    return !seeThrough && std::all_of(image.pixels.begin(), image.pixels.end(),
-                                      [&](Pixel pixel) { return pixel == image.pixels[0]; });
-}
-
-// One frame in all sizes, each half of the one before, down to 1 texel.
-std::vector<TextureLevel> levelsOf(const Image& sheet, int frame, bool seeThrough) {
-    std::vector<TextureLevel> levels;
-    const bool plain = isPlain(sheet, seeThrough);
-    for (int size = sheet.height; size >= 1; size /= 2) {
-        const auto area = static_cast<std::size_t>(size) * static_cast<std::size_t>(size);
-        std::vector<Pixel> texels = plain ? std::vector<Pixel>(area, sheet.pixels[0])
-                                    : levels.empty()
-                                        ? columnsOf(sheet, frame, size, 0, sheet.height)
-                                        : halved(levels.back().texels, 2 * size);
-        TexelRuns runs = seeThrough ? TexelRuns(texels, size) : TexelRuns();
-        levels.push_back({size, std::countr_zero(static_cast<unsigned>(size)), std::move(texels),
-                          std::move(runs)});
-    }
-    return levels;
-}
-
 // `count` pixels that the caller overwrites. Copying some is far faster than constructing zeros.
 std::vector<Pixel> firstOf(const std::vector<Pixel>& pixels, std::size_t count) {
     return {pixels.data(), pixels.data() + count};
@@ -106,6 +83,24 @@ std::vector<Pixel> halved(const std::vector<Pixel>& columns, int height) {
     return half;
 }
 
+std::vector<TextureLevel> textureFrame(const Image& sheet, int frame, bool seeThrough) {
+    std::vector<TextureLevel> levels;
+    bool isPlain = false;  // all texels are alike, and opaque: then so are those of all sizes
+    for (int size = sheet.height; size >= 1; size /= 2) {
+        const auto area = static_cast<std::size_t>(size) * static_cast<std::size_t>(size);
+        std::vector<Pixel> texels = levels.empty() ? columnsOf(sheet, frame, size, 0, size)
+                                    : isPlain      ? std::vector<Pixel>(area, levels[0].texels[0])
+                                                   : halved(levels.back().texels, 2 * size);
+        if (levels.empty())
+            isPlain = !seeThrough && std::all_of(texels.begin(), texels.end(),
+                                                 [&](Pixel texel) { return texel == texels[0]; });
+        TexelRuns runs = seeThrough ? TexelRuns(texels, size) : TexelRuns();
+        levels.push_back({size, std::countr_zero(static_cast<unsigned>(size)), std::move(texels),
+                          std::move(runs)});
+    }
+    return levels;
+}
+
 // The quotient's floor is exact: a double that is less than a multiple of 120 is less by more than
 // the division rounds away.
 int frameAt(std::int64_t steps, double rate, int frames) {
@@ -119,9 +114,9 @@ Texture makeTexture(std::string name, const Image& image, int frames, double rat
     texture.name = std::move(name);
     texture.rate = frames > 1 ? rate : 0.0;
     texture.seeThrough = !image.isOpaque();
-    texture.levels = levelsOf(image, 0, texture.seeThrough);
+    texture.levels = textureFrame(image, 0, texture.seeThrough);
     for (int frame = 1; frame < frames; ++frame)
-        texture.laterFrames.push_back(levelsOf(image, frame, texture.seeThrough));
+        texture.laterFrames.push_back(textureFrame(image, frame, texture.seeThrough));
     return texture;
 }
 

@@ -10,6 +10,7 @@
 #pragma once
 
 #include "base/image.h"
+#include "base/shared_vector.h"
 #include "slicecast/sound.h"
 #include "world/texel_runs.h"
 
@@ -29,9 +30,10 @@ struct TextureLevel {
 
 struct Texture {
     std::string name;
-    // [0] is the image, or a sheet's first frame; the last one is a single texel.
-    std::vector<TextureLevel> levels;
-    std::vector<std::vector<TextureLevel>> laterFrames;
+    // [0] is the image, or a sheet's first frame; the last one is a single texel. Textures of the
+    // same picture share them.
+    SharedVector<TextureLevel> levels;
+    std::vector<SharedVector<TextureLevel>> laterFrames;
     double rate = 0.0;        // frames per second, repeating; 0 for a single or held frame
     bool seeThrough = false;  // a texel has alpha below 255
     Material material = Material::stone;
@@ -44,7 +46,7 @@ struct Texture {
 
     // The frame shown after so many steps.
     int frameAt(std::int64_t steps) const;
-    const std::vector<TextureLevel>& levelsOf(int frame) const {
+    const SharedVector<TextureLevel>& levelsOf(int frame) const {
         return frame == 0 ? levels : laterFrames[static_cast<std::size_t>(frame - 1)];
     }
 };
@@ -58,6 +60,9 @@ std::vector<Pixel> halved(const std::vector<Pixel>& columns, int height);
 // The frame shown after so many steps at a rate per second: floor(p / 120) modulo `frames`, p being
 // steps * rate, which is rounded as any double is; 0 for negative steps.
 int frameAt(std::int64_t steps, double rate, int frames);
+
+// A frame of a sheet of square frames side by side, in all sizes. `seeThrough`: of the whole sheet.
+std::vector<TextureLevel> textureFrame(const Image& sheet, int frame, bool seeThrough);
 
 // Makes the levels of a square image whose side is a power of two, or of a sheet of `frames` such
 // images side by side. Of stone.

@@ -14,6 +14,7 @@
 #include <string>
 #include <type_traits>
 #include <utility>
+#include <vector>
 
 namespace slicecast {
 namespace {
@@ -68,6 +69,17 @@ TEST(Library, LoadsAFileOrReturnsFaults) {
     ASSERT_EQ(missing.faults.size(), 1u);
     EXPECT_EQ(describe(missing.faults[0]),
               "no-such-scene.json: found a path that does not exist, expected a scene file");
+}
+
+TEST(Library, TellsHowFarLoadingIs) {
+    std::vector<double> shares;
+    const LoadResult loaded =
+        loadSceneFile(kCastle, [&](double share) { shares.push_back(share); });
+    ASSERT_TRUE(loaded.scene.has_value());
+    EXPECT_GT(shares.size(), 30u);
+    EXPECT_TRUE(std::is_sorted(shares.begin(), shares.end()));
+    EXPECT_GT(shares.front(), 0.0);
+    EXPECT_EQ(shares.back(), 1.0);
 }
 
 TEST(Library, LoadsATextWithoutADisk) {

@@ -46,6 +46,40 @@ test('a scene is found by name, path, address and as an object, and looks the sa
   for (const picture of pictures) assert.ok(picture.equals(pictures[0]));
 });
 
+// It takes some 100 ms, of which a slice is a few.
+test('a scene that takes long is loaded in slices', async () => {
+  const wide = JSON.parse(
+    roomScene({
+      texture: '../textures/brick.png',
+      sprites: { bush: '../sprites/bush.png' },
+    }),
+  );
+  const rows = new Array(420).fill('.'.repeat(420));
+  wide.maps[0].levels = [rows, ...new Array(30).fill([])];
+  wide.maps[0].ceiling = { texture: 'brick', height: 0.9 };
+  wide.maps[0].sow = new Array(32).fill({ sprite: 'bush', density: 1, height: 1 });
+  const shares = [];
+  let others = 0;
+  let isOver = false;
+  const goOn = () => {
+    ++others;
+    if (!isOver) setImmediate(goOn);
+  };
+  setImmediate(goOn);
+  const scene = await load(wide, { onProgress: (share) => shares.push(share) });
+  isOver = true;
+  assert.equal(scene.world.maps[0].width, 420);
+  scene.free();
+  assert.ok(others > 8, `${others} tasks in between`);
+  assert.ok(shares.length > 8, `${shares.length} times`);
+  assert.deepEqual(
+    shares,
+    shares.toSorted((a, b) => a - b),
+  );
+  assert.equal(shares.at(-1), 1);
+  await assert.rejects(load('castle', { onProgress: 1 }), /^TypeError: onProgress: found 1, expected/);
+});
+
 test("a scene's module is the scene, and a URL names a picture anywhere", async (t) => {
   const { default: imported, tour } = await import('../../build/web/scenes/castle.js');
   assert.match(await readFile(new URL(tour), 'utf8'), /^slicecast /);

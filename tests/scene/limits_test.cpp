@@ -346,9 +346,9 @@ TEST(Limits, ColoursAsTextures) {
     EXPECT_EQ(inWords(faultsOf(scene(kMaxPlainTextures))), "");
     const std::vector<Fault> faults = faultsOf(scene(kMaxPlainTextures + 1));
     ASSERT_EQ(faults.size(), 1u);
-    EXPECT_EQ(faults[0].pointer, "/textures/t4096");
-    EXPECT_EQ(faults[0].found, "more than 4096 colours as textures");
-    EXPECT_EQ(faults[0].expected, "at most 4096; equal colours count as one");
+    EXPECT_EQ(faults[0].pointer, "/textures/t2048");
+    EXPECT_EQ(faults[0].found, "more than 2048 colours as textures");
+    EXPECT_EQ(faults[0].expected, "at most 2048; equal colours count as one");
 }
 
 // A scene with two maps, each with so many objects.

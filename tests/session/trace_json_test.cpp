@@ -84,7 +84,7 @@ protected:
         }
         for (const Texture& texture : world.textures) {
             if (texture.name != name) continue;
-            const TextureLevel& level = texture.levels.at(detail);
+            const TextureLevel& level = texture.levels[detail];
             EXPECT_EQ(texel["size"][0].GetInt(), level.size);
             EXPECT_EQ(texel["size"][1].GetInt(), level.size);
             return toColour(

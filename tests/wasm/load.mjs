@@ -65,9 +65,16 @@ export class Session {
 
   parse(text, name) {
     const bytes = Buffer.from(text);
-    return this.withMemory([bytes, cString(name)], (textAt, nameAt) =>
-      this.json(this.module._slicecast_parse(this.address, textAt, bytes.length, nameAt)),
+    this.withMemory([bytes, cString(name)], (textAt, nameAt) =>
+      this.module._slicecast_parse(this.address, textAt, bytes.length, nameAt),
     );
+    return this.finish();
+  }
+
+  // What parse and start begin.
+  finish() {
+    while (this.module._slicecast_next(this.address) < 1);
+    return this.json(this.module._slicecast_answer(this.address));
   }
 
   supply(name, bytes) {
@@ -77,7 +84,8 @@ export class Session {
   }
 
   start() {
-    const { faults, warnings } = this.json(this.module._slicecast_start(this.address));
+    this.module._slicecast_start(this.address);
+    const { faults, warnings } = this.finish();
     this.warnings = warnings;
     return faults;
   }

@@ -267,11 +267,22 @@ World manyLifts(double reach) {
     return world;
 }
 
-TEST(Movers, AreLimitedByTheirBlueprints) {
+TEST(Movers, AreLimitedByTheirParts) {
     World world = manyLifts(9.0);
-    const std::vector<PlacingFault> faults = makeMovers(world);
+    const std::size_t before = world.blueprints.size();
+    std::vector<PlacingFault> faults = makeMovers(world);
     ASSERT_EQ(faults.size(), kMaxPlacingFaults);
+    EXPECT_EQ(faults[0].found, "more than 32768 parts of moving blocks");
     EXPECT_EQ(faults[0].expected, "fewer moving blocks and gates, or fewer levels that they reach");
+    EXPECT_LE(world.blueprints.size(), before + kMaxMoverParts);
+
+    // With many blueprints of their own
+    world = manyLifts(3.0);
+    world.blueprints.resize(kMaxBlueprints - 1000, world.blueprints[0]);
+    faults = makeMovers(world);
+    ASSERT_FALSE(faults.empty());
+    EXPECT_NE(faults[0].found.find("whose parts make more than 65535 blueprints"),
+              std::string::npos);
     EXPECT_LE(world.blueprints.size(), static_cast<std::size_t>(kMaxBlueprints));
 }
 

@@ -62,7 +62,7 @@ TEST(TexelRuns, OfTexturesAndSprites) {
             expectRunsOf(level.texels, level.runs, level.size);
     }
     const Sprite sprite = makeSprite("sheet", sheet, 2, 1.0);
-    for (const std::vector<SpriteLevel>& frame : sprite.frames) {
+    for (const SharedVector<SpriteLevel>& frame : sprite.frames) {
         for (const SpriteLevel& level : frame) expectRunsOf(level.texels, level.runs, level.height);
     }
 }

@@ -13,11 +13,13 @@
 import { createModule } from './engine-module.js';
 import { withBytes, withStrings } from './module-memory.js';
 import { unknown } from './nearest-name.js';
+import { Pauses } from './pauses.js';
 import { Questions } from './questions.js';
 import { Trouble } from './trouble.js';
 
 const kAxes = ['forward', 'strafe', 'turn', 'look', 'fly'];
 const kMostSteps = 120 * 3600; // per call: an hour of the world's time
+const kFilesShare = 0.9; // of the progress of loading; the rest makes the world of them
 const kAdoptedSlack = 16 << 20; // bytes that playing may add to the scene: picture and view tables
 const kButtons = { jump: 1, fast: 2, slow: 4, use: 8, open: 16, close: 32 };
 
@@ -68,16 +70,16 @@ export class Engine {
   async loadScene(source, { onProgress, keepEye = false, isWanted = () => true } = {}) {
     const load = ++this.#loads;
     const isLatest = () => load === this.#loads && isWanted();
-    const names = await readNames(this.#module, this.#session, source, isLatest);
+    const loading = new SceneLoading(this.#module, this.#session, isLatest);
+    const names = await loading.readNames(source);
     if (names === null) return null;
     if (names.faults.length > 0) return names.faults;
-    await supplyFiles(this.#module, this.#session, names.files, source, {
-      onProgress,
-      isWanted: isLatest,
-    });
+    await loading.supplyFiles(names.files, source, onProgress);
     if (!isLatest()) return null;
     const eye = keepEye ? this.state : null;
-    const { faults, warnings } = start(this.#module, this.#session);
+    const result = await loading.start(onProgress);
+    if (result === null) return null;
+    const { faults, warnings } = result;
     this.warnings = warnings;
     if (faults.length === 0) {
       this.#mapNames = this.world.maps.map(({ name }) => name);
@@ -135,10 +137,11 @@ export class Engine {
     const module = this.#module;
     const session = module._slicecast_create();
     try {
-      const { files, faults } = await readNames(module, session, source);
+      const loading = new SceneLoading(module, session);
+      const { files, faults } = await loading.readNames(source);
       if (faults.length > 0) return null;
-      await supplyFiles(module, session, files, source);
-      return start(module, session).faults.length === 0
+      await loading.supplyFiles(files, source);
+      return (await loading.start()).faults.length === 0
         ? imageOf(drawPixels(module, session, width, height, 1), width, height)
         : null;
     } finally {
@@ -445,53 +448,86 @@ export class Engine {
   }
 }
 
-// Loading step 1 of 3, the text: {files, faults}, or null if it is no longer wanted.
-async function readNames(module, session, source, isWanted = () => true) {
-  const text = await source.readText();
-  if (!isWanted()) return null;
-  return withBytes(module, text, (textAt) =>
-    withStrings(module, [source.name], (nameAt) =>
-      JSON.parse(
-        module.UTF8ToString(module._slicecast_parse(session, textAt, text.length, nameAt)),
-      ),
-    ),
-  );
-}
+// Loads a scene in three steps, in slices: in between, the page and the old scene go on. Each step
+// gives null if the scene is no longer wanted.
+class SceneLoading {
+  #module;
+  #session;
+  #isWanted;
+  #pauses = new Pauses();
+  #bytes = 0;
 
-// Step 2, the files that the text names: each is decoded as it arrives, while the others load.
-async function supplyFiles(
-  module,
-  session,
-  files,
-  source,
-  { onProgress = () => {}, isWanted = () => true } = {},
-) {
-  const shares = new Array(files.length).fill(0);
-  let bytesLoaded = 0;
-  let isOver = false;
-  const report = () =>
-    onProgress(
-      shares.reduce((sum, share) => sum + share, 0) / Math.max(1, shares.length),
-      bytesLoaded,
+  constructor(module, session, isWanted = () => true) {
+    this.#module = module;
+    this.#session = session;
+    this.#isWanted = isWanted;
+  }
+
+  // The text: {files, faults}.
+  async readNames(source) {
+    const text = await source.readText();
+    if (!this.#isWanted()) return null;
+    withBytes(this.#module, text, (textAt) =>
+      withStrings(this.#module, [source.name], (nameAt) =>
+        this.#module._slicecast_parse(this.#session, textAt, text.length, nameAt),
+      ),
     );
-  const supply = async (name, index) => {
-    let before = 0;
-    const bytes = await source.readFile(name, (loaded, total) => {
-      bytesLoaded += loaded - before;
-      before = loaded;
-      shares[index] = loaded / total;
+    return this.#finish();
+  }
+
+  // The files that the text names: each is decoded as it arrives, while the others load.
+  async supplyFiles(files, source, onProgress = () => {}) {
+    const shares = new Array(files.length).fill(0);
+    let isOver = false;
+    const report = () =>
+      onProgress(
+        (kFilesShare * shares.reduce((sum, share) => sum + share, 0)) / Math.max(1, shares.length),
+        this.#bytes,
+      );
+    const supply = async (name, index) => {
+      let before = 0;
+      const bytes = await source.readFile(name, (loaded, total) => {
+        this.#bytes += loaded - before;
+        before = loaded;
+        shares[index] = loaded / total;
+        report();
+      });
+      await this.#pauses.mayCome();
+      if (isOver || !this.#isWanted()) return;
+      if (bytes !== null)
+        supplyFile(this.#module, this.#session, name, bytes, source.pictures);
+      shares[index] = 1;
       report();
-    });
-    if (isOver || !isWanted()) return;
-    if (bytes !== null) supplyFile(module, session, name, bytes, source.pictures);
-    shares[index] = 1;
+    };
     report();
-  };
-  report();
-  try {
-    await Promise.all(files.map(supply));
-  } finally {
-    isOver = true;
+    try {
+      await Promise.all(files.map(supply));
+    } finally {
+      isOver = true;
+    }
+  }
+
+  // The world: {faults, warnings}. A file that could not be read becomes a fault at the place that
+  // names it.
+  async start(onProgress = () => {}) {
+    this.#module._slicecast_start(this.#session);
+    const result = await this.#finish((share) =>
+      onProgress(kFilesShare + share * (1 - kFilesShare), this.#bytes),
+    );
+    if (result !== null) onProgress(1, this.#bytes);
+    return result;
+  }
+
+  async #finish(onShare = () => {}) {
+    for (;;) {
+      const share = this.#module._slicecast_next(this.#session);
+      if (share === 1)
+        return JSON.parse(this.#module.UTF8ToString(this.#module._slicecast_answer(this.#session)));
+      if (!this.#pauses.isDue) continue;
+      onShare(share);
+      await this.#pauses.mayCome();
+      if (!this.#isWanted()) return null;
+    }
   }
 }
 
@@ -507,12 +543,6 @@ function supplyFile(module, session, name, bytes, pictures) {
   if (length === 0) return;
   if (known === undefined) pictures?.keep(bytes, module.HEAPU8.subarray(at, at + length));
   else module.HEAPU8.set(known, at);
-}
-
-// Step 3, the world: {faults, warnings}. A file that could not be read becomes a fault at the place
-// that names it.
-function start(module, session) {
-  return JSON.parse(module.UTF8ToString(module._slicecast_start(session)));
 }
 
 function drawPixels(module, session, width, height, fraction) {

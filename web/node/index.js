@@ -17,6 +17,7 @@ import { readEngine } from './engine-files.js';
 import { openScene } from './scene-files.js';
 
 const kSize = { width: 640, height: 400 };
+const kOptions = ['engine', 'base', 'onProgress'];
 const kLargestSide = 8192; // pixels, as in the engine
 
 // Thrown if a scene cannot be loaded: `code` and `faults` as in the element's event `error`. The
@@ -38,15 +39,16 @@ export class SceneError extends Error {
   }
 }
 
-// `engine` is 'auto', 'simd' or 'scalar'. A scene object names its files relative to the folder
+// `engine` is 'auto', 'simd' or 'scalar'. `onProgress(share)` is told how far loading is, from 0 to 1;
+// in between, other work goes on. A scene object names its files relative to the folder
 // `base` (or the folder of the file `base`); without it, relative to the shipped scenes.
 export async function load(scene, options = {}) {
-  const { engine: kind = 'auto', base } = readOptions(options);
+  const { engine: kind = 'auto', base, onProgress = () => {} } = readOptions(options);
   let engine = null;
   try {
     const source = openScene(scene, base);
     engine = await Engine.create({ files: await readEngine(kind) });
-    const faults = await engine.loadScene(source);
+    const faults = await engine.loadScene(source, { onProgress: (share) => onProgress(share) });
     if (faults.length === 0) return new Scene(engine);
     const count = faults.length === 1 ? 'a fault' : `${faults.length} faults`;
     throw new SceneError(
@@ -191,12 +193,15 @@ class Scene {
 function readOptions(options) {
   if (typeof options !== 'object' || options === null)
     throw new TypeError(
-      `options: found ${String(options)}, expected an object with some of engine, base`,
+      `options: found ${String(options)}, expected an object with some of ${kOptions.join(', ')}`,
     );
-  const { engine, base, ...others } = options;
-  for (const name of Object.keys(others))
-    throw new TypeError(`options: found ${name}, expected some of engine, base`);
-  return { engine, base };
+  for (const name of Object.keys(options))
+    if (!kOptions.includes(name))
+      throw new TypeError(`options: found ${name}, expected some of ${kOptions.join(', ')}`);
+  const { onProgress } = options;
+  if (onProgress !== undefined && typeof onProgress !== 'function')
+    throw new TypeError(`onProgress: found ${String(onProgress)}, expected a function`);
+  return options;
 }
 
 function sidesOf(size) {

@@ -6,6 +6,7 @@
 
 #include <cstdint>
 #include <filesystem>
+#include <functional>
 #include <map>
 #include <memory>
 #include <optional>
@@ -58,10 +59,13 @@ struct LoadResult {
     std::vector<Fault> warnings;  // the scene loads, but something in it is probably a mistake
 };
 
+// Told while a scene loads: the share that is done, growing to 1.
+using Progress = std::function<void(double share)>;
+
 // Reads a scene file (JSON) and the PNG files that it names; their paths are relative to its
 // folder. Opens regular files only, because a pipe could block forever. Limits: 128 MB for the
 // text, 64 MB for each image.
-LoadResult loadSceneFile(const std::filesystem::path& file);
+LoadResult loadSceneFile(const std::filesystem::path& file, const Progress& progress = {});
 
 // The bytes of PNG files, by the names that the scene uses.
 using ImageFiles = std::map<std::string, std::vector<std::uint8_t>>;
@@ -69,6 +73,6 @@ using ImageFiles = std::map<std::string, std::vector<std::uint8_t>>;
 // The same from a text in memory, UTF-8. `name` stands for the file in faults. Touches no disk: an
 // image that `images` lacks is a fault.
 LoadResult loadSceneText(std::string_view text, const std::string& name,
-                         const ImageFiles& images = {});
+                         const ImageFiles& images = {}, const Progress& progress = {});
 
 }  // namespace slicecast

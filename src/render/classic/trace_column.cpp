@@ -193,6 +193,7 @@ private:
         }
         if (surface.object >= 0) {
             run.object = static_cast<int>(trace.objects.size());
+            run.side = surface.side;
             trace.objects.push_back({mark.part->map, mark.part->portals, surface.object,
                                      mark.shown.texel.depth, run.first, run.first});
         }
