@@ -7,6 +7,7 @@
 #include <algorithm>
 #include <memory>
 #include <optional>
+#include <utility>
 
 namespace slicecast {
 namespace {
@@ -49,7 +50,8 @@ struct Placing {
     explicit Placing(Reading& read) : reading(read), world(read.description.world) {}
 
     bool checkMotions();
-    void sow(const SowingOrder& order);
+    void beginSowing(const SowingOrder& order);
+    bool sowSome(const SowingOrder& order);
     bool takeLevels(JsonValue value, std::size_t first, std::size_t end);
 
     Reading& reading;
@@ -58,7 +60,10 @@ struct Placing {
     int levels = 0;                        // of moving objects
     std::optional<std::size_t> map = {};   // the one that is sown
     std::optional<TakenSpots> taken = {};  // in it
-    bool isOver = false;                   // after a fault that ends it
+    int nextRow = 0;
+    std::size_t motionsBefore = 0;  // the sowing
+    std::size_t findsBefore = 0;
+    bool isOver = false;  // after a fault that ends it
 };
 
 // Adds up the levels that the bodies of the motions from `first` to before `end` reach into. False
@@ -95,27 +100,37 @@ bool Placing::checkMotions() {
     return next < all.size();
 }
 
-void Placing::sow(const SowingOrder& order) {
-    if (isOver || !isSound(reading, order.map)) return;
+void Placing::beginSowing(const SowingOrder& order) {
     if (map != order.map) taken.emplace(world.maps[order.map]);
     map = order.map;
-    const std::size_t finds = world.quest.finds.size();
-    const std::size_t motions = world.movingObjects.motions.size();
-    const Sown sown = sowObjects(world, static_cast<int>(order.map), order.sowing, *taken);
-    if (sown != Sown::all) {
-        refuse(reading, order.value, sown);
+    nextRow = 0;
+    motionsBefore = world.movingObjects.motions.size();
+    findsBefore = world.quest.finds.size();
+}
+
+// Sows some rows. False if that is all.
+bool Placing::sowSome(const SowingOrder& order) {
+    constexpr int kTilesOfTask = 16'384;
+    const Map& sown = world.maps[order.map];
+    const int end = std::min(nextRow + std::max(1, kTilesOfTask / sown.width), sown.depth);
+    const Sown how = sowObjects(world, static_cast<int>(order.map), order.sowing, *taken,
+                                std::exchange(nextRow, end), end);
+    if (how != Sown::all) {
+        refuse(reading, order.value, how);
         isOver = true;
-        return;
+        return false;
     }
-    if (!takeLevels(order.value, motions, world.movingObjects.motions.size())) return;
-    if (!order.sowing.find) return;
-    const std::size_t count = world.quest.finds.size() - finds;
+    if (end < sown.depth) return true;
+    if (!takeLevels(order.value, motionsBefore, world.movingObjects.motions.size())) return false;
+    if (!order.sowing.find) return false;
+    const std::size_t count = world.quest.finds.size() - findsBefore;
     if (count == 0) {
         reading.checker.warn(order.value, "a find that is sown nowhere",
                              "more density, or ground where it has room");
     } else {
-        reading.addAim(Aim::What::finds, order.value, finds, count);
+        reading.addAim(Aim::What::finds, order.value, findsBefore, count);
     }
+    return false;
 }
 
 }  // namespace
@@ -124,7 +139,11 @@ void placeObjects(Reading& reading) {
     const auto placing = std::make_shared<Placing>(reading);
     reading.tasks.repeat([placing] { return placing->checkMotions(); });
     for (const SowingOrder& order : reading.sowings)
-        reading.tasks.add([placing, &order] { placing->sow(order); });
+        reading.tasks.add([placing, &order] {
+            if (placing->isOver || !isSound(placing->reading, order.map)) return;
+            placing->beginSowing(order);
+            placing->reading.tasks.repeat([placing, &order] { return placing->sowSome(order); });
+        });
 }
 
 void findHiddenThings(Reading& reading) {

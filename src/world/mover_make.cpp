@@ -296,7 +296,11 @@ void Maker::beginMover(int mapIndex) {
 // False if it has a fault.
 bool Maker::makeNextRun(int mapIndex) {
     const Map& map = world.maps[static_cast<std::size_t>(mapIndex)];
-    auto& [mover, places, i, runs, sorted] = *making;
+    Mover& mover = making->mover;
+    const std::vector<CellPlace>& places = making->cells;
+    std::size_t& i = making->next;
+    std::vector<Run>& runs = making->runs;
+    std::vector<std::size_t>& sorted = making->sorted;
     const Motion& motion = world.motions[static_cast<std::size_t>(mover.motion)];
     const Axis axis = motion.axis;
     Run run = {places[i], {}};
@@ -376,8 +380,8 @@ void makeMovers(World& world, TaskList& tasks, std::vector<PlacingFault>& faults
     if (std::all_of(kinds.begin(), kinds.end(),
                     [](BlueprintId kind) { return kind == kEmptyCell; }))
         return;
-    const auto maker =
-        std::make_shared<Maker>(world, faults, tasks, std::move(kinds), exitsOfLevelFaces(world));
+    const auto maker = std::make_shared<Maker>(
+        Maker{world, faults, tasks, std::move(kinds), exitsOfLevelFaces(world)});
     for (int map = 0; map < static_cast<int>(world.maps.size()); ++map)
         tasks.add([maker, map] { maker->beginMap(map); });
     tasks.add([maker] {

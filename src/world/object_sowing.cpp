@@ -161,13 +161,14 @@ std::size_t TakenSpots::spotAt(std::size_t tile, Coordinate feet) const {
     return tile * spots_ + std::min(static_cast<std::size_t>(feet.tile()), spots_ - 1);
 }
 
-Sown sowObjects(World& world, int mapIndex, const Sowing& sowing, TakenSpots& taken) {
+Sown sowObjects(World& world, int mapIndex, const Sowing& sowing, TakenSpots& taken, int first,
+                int end) {
     const Map& map = world.maps[static_cast<std::size_t>(mapIndex)];
     auto room = static_cast<std::size_t>(kMaxObjects) + map.objects.size();
     for (const Map& each : world.maps) room -= std::min(room, each.objects.size());
     const Sower sower = {sowing, NumberSet(sowing.on), NumberSet(sowing.textures),
                          Random(sowing.seed).next()};
-    for (int y = 0; y < map.depth; ++y) {
+    for (int y = first; y < end; ++y) {
         for (int x = 0; x < map.width; ++x) {
             if (map.tilePortal(x, y) != kNoPortal) continue;
             const auto sow = [&](int spot, const std::optional<Ground>& ground) {

@@ -61,8 +61,9 @@ private:
 
 enum class Sown : std::uint8_t { all, tooMany, tooManyMoving, tooManyFinds };
 
-// Adds to the map's objects, to the moving ones and to the finds. Stops, with a part of them added,
-// when a limit of the world is exceeded.
-Sown sowObjects(World& world, int map, const Sowing& sowing, TakenSpots& taken);
+// Sows the map's rows of tiles from `first` to before `end`: adds to the map's objects, to the
+// moving ones and to the finds. Stops, with a part of them added, when a limit of the world is
+// exceeded.
+Sown sowObjects(World& world, int map, const Sowing& sowing, TakenSpots& taken, int first, int end);
 
 }  // namespace slicecast

@@ -25,7 +25,7 @@ Sowing trees(double density) {
 
 std::vector<Object> sown(World& world, const Sowing& sowing) {
     TakenSpots taken(world.maps[0]);
-    EXPECT_EQ(sowObjects(world, 0, sowing, taken), Sown::all);
+    EXPECT_EQ(sowObjects(world, 0, sowing, taken, 0, world.maps[0].depth), Sown::all);
     return world.maps[0].objects;
 }
 
@@ -164,11 +164,11 @@ TEST(Sowing, TakesEachSpotOnce) {
     world.maps[0].objects.push_back(placed);
     TakenSpots taken(world.maps[0]);
     Sowing sowing = trees(0.5);
-    EXPECT_EQ(sowObjects(world, 0, sowing, taken), Sown::all);
+    EXPECT_EQ(sowObjects(world, 0, sowing, taken, 0, world.maps[0].depth), Sown::all);
     const std::size_t first = world.maps[0].objects.size();
     sowing.seed = 9;
     sowing.density = 1.0;
-    EXPECT_EQ(sowObjects(world, 0, sowing, taken), Sown::all);
+    EXPECT_EQ(sowObjects(world, 0, sowing, taken, 0, world.maps[0].depth), Sown::all);
     EXPECT_GT(first, 30u);
     EXPECT_LT(first, 70u);
     EXPECT_EQ(world.maps[0].objects.size(), 100u);
@@ -210,17 +210,17 @@ TEST(Sowing, StopsAtTheLimitOfObjects) {
     World world = emptyWorld(257, 257, 1);
     Sowing sowing = trees(1.0);
     TakenSpots taken(world.maps[0]);
-    EXPECT_EQ(sowObjects(world, 0, sowing, taken), Sown::tooMany);
+    EXPECT_EQ(sowObjects(world, 0, sowing, taken, 0, world.maps[0].depth), Sown::tooMany);
     sowing.density = 0.5;
     world.maps[0].objects.clear();
     TakenSpots again(world.maps[0]);
-    EXPECT_EQ(sowObjects(world, 0, sowing, again), Sown::all);
+    EXPECT_EQ(sowObjects(world, 0, sowing, again, 0, world.maps[0].depth), Sown::all);
 
     // What stands in other maps counts.
     world.maps.push_back(world.maps[0]);
     world.maps.push_back(makeMap("third", 257, 257, 1, world.maps[0].floor.texture));
     TakenSpots third(world.maps[2]);
-    EXPECT_EQ(sowObjects(world, 2, sowing, third), Sown::tooMany);
+    EXPECT_EQ(sowObjects(world, 2, sowing, third, 0, world.maps[2].depth), Sown::tooMany);
 }
 
 TEST(Sowing, MakesFinds) {
@@ -242,7 +242,7 @@ TEST(Sowing, MakesFinds) {
 
     sowing.density = 1.0;
     TakenSpots taken(world.maps[0]);
-    EXPECT_EQ(sowObjects(world, 0, sowing, taken), Sown::tooManyFinds);
+    EXPECT_EQ(sowObjects(world, 0, sowing, taken, 0, world.maps[0].depth), Sown::tooManyFinds);
 }
 
 TEST(Sowing, IsTheSameOnEveryMachine) {
