@@ -304,6 +304,7 @@ TEST(BakedLight, CanBeDrawnInParts) {
     Image image(kWide, kHeight);
     whole.draw(hall.world, eye, {}, {wanted.pixels.data(), kWide, kHeight, kWide});
     int calls = 0;
+    LightWork work = 0;
     for (int column = 0; column < kWide; ++calls) {
         ASSERT_LT(calls, 1000);
         const int next = parts.drawSome(hall.world, eye, {.lightWork = 50'000},
@@ -311,7 +312,9 @@ TEST(BakedLight, CanBeDrawnInParts) {
         ASSERT_GE(next, column);
         ASSERT_LE(next, column + 64);
         column = next;
+        work += parts.report().lightWork;
     }
+    EXPECT_GE(work, whole.report().lightWork) << "of all calls, whole or not";
     EXPECT_GT(calls, 10);
     EXPECT_EQ(image.pixels, wanted.pixels);
     EXPECT_EQ(parts.report().rowsFilled, whole.report().rowsFilled) << "counted once";

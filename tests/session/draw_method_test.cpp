@@ -54,6 +54,21 @@ World chequeredYard() {
     return std::move(make.world);
 }
 
+TEST(DrawMethod, TheReportIsThatOfTheLastPicture) {
+    World world = chequeredYard();
+    world.maps[0].baked.on = true;
+    world.maps[0].baked.ambient = {90, 90, 90, 255};
+    Session session(std::move(world));
+    Image image(96, 60);
+    const Picture picture{image.pixels.data(), 96, 60, 96};
+    ASSERT_TRUE(session.draw(picture, 1.0, 1));
+    EXPECT_GT(session.report().lateLight, 0);
+    EXPECT_EQ(session.setOption("method", "classic"), "");
+    ASSERT_TRUE(session.draw(picture, 1.0, 1));
+    EXPECT_EQ(session.report().lateLight, 0) << "it knows no baked light";
+    EXPECT_GT(session.report().spansDrawn, 0);
+}
+
 TEST(DrawMethod, ClassicDrawsWithItsOptions) {
     Session session(chequeredYard());
     const std::vector<Pixel> exact = drawn(session).pixels;

@@ -4,6 +4,7 @@
 
 #include "sanitized.h"
 #include "session/hall.h"
+#include "world_builder.h"
 
 #include <gtest/gtest.h>
 #include <rapidjson/document.h>
@@ -304,6 +305,36 @@ TEST_F(PickTest, PointsBehindTheEyeAreNotProjected) {
     // d = (W / 2) / tan(fov / 2), and a unit at depth 2 is d / 2 rows high.
     const double distance = kPickWidth / 2.0 / std::tan(30.0 * M_PI / 180.0);
     EXPECT_NEAR(ahead->y, kPickHeight / 2.0 - distance / 2.0, 1e-9);
+}
+
+// From the front nothing of it is seen.
+TEST(PickSprite, LooksAtTheSideThatIsShown) {
+    WorldBuilder make;
+    make.texture("grey", {200, 200, 200, 255});
+    make.block('#');
+    make.map("room", 1, R"(
+########
+#......#
+#......#
+########
+)");
+    Image sheet(8, 32);
+    for (std::size_t i = 8 * 8; i < sheet.pixels.size(); ++i)
+        sheet.pixels[i] = toPixel({255, 255, 255, 255});
+    make.world.sprites.push_back(makeSprite("figure", sheet, 1, 0.0, 4));
+    make.object(4.5, 2.0, 0.0, 0.8, 0.9);
+    make.start(2.5, 2.0);
+    Session session(std::move(make.world));
+    const auto seen = [&](int facing) {
+        const_cast<Map&>(session.world().maps[0]).objects[0].facingX = tileEdge(facing);
+        const SliceTrace trace = session.trace(kPickWidth, kPickHeight, kPickWidth / 2, 44);
+        return nearestSeen(session.world(), trace).rows->what;
+    };
+    for (const char* method : {"exact", "classic"}) {
+        EXPECT_EQ(session.setOption("method", method), "");
+        EXPECT_EQ(seen(1), FilledRows::What::object) << "its back, by the method " << method;
+        EXPECT_NE(seen(-1), FilledRows::What::object) << method;
+    }
 }
 
 }  // namespace
