@@ -57,10 +57,9 @@ public:
         }
         if (!take(reference, sheet_.pixels.size())) return;
         texture.seeThrough = !sheet_.isOpaque();
+        current_ = index;
         for (int frame = 0; frame < wanted.frames; ++frame)
-            tasks_.add([this, &texture, frame] {
-                addFrame(texture, textureFrame(sheet_, frame, texture.seeThrough));
-            });
+            tasks_.add<&ImageReader::makeTextureFrame>(*this, static_cast<std::size_t>(frame));
     }
 
     void readSprite(std::size_t index) {
@@ -88,14 +87,14 @@ public:
             return;
         }
         if (!take(reference, sheet_.pixels.size())) return;
+        current_ = index;
         for (int frame = 0; frame < wanted.frames * wanted.views; ++frame)
-            tasks_.add([this, &sprite, &wanted, frame] {
-                sprite.frames.push_back(spriteFrame(sheet_, frame, wanted.frames, wanted.views));
-            });
+            tasks_.add<&ImageReader::makeSpriteFrame>(*this, static_cast<std::size_t>(frame));
     }
 
     // A file that several maps show is decoded once.
-    void readPanorama(const PanoramaReference& wanted) {
+    void readPanorama(std::size_t index) {
+        const PanoramaReference& wanted = description_.panoramas[index];
         const ImageReference& reference = wanted.image;
         Image& panorama = world_.maps[wanted.map].sky.panorama;
         const auto known = panoramas_.find(reference.file);
@@ -126,11 +125,20 @@ public:
     }
 
 private:
-    static void addFrame(Texture& texture, std::vector<TextureLevel> levels) {
-        if (texture.levels.empty())
+    void makeTextureFrame(std::size_t frame) {
+        Texture& texture = world_.textures[current_];
+        std::vector<TextureLevel> levels =
+            textureFrame(sheet_, static_cast<int>(frame), texture.seeThrough);
+        if (frame == 0)
             texture.levels = std::move(levels);
         else
             texture.laterFrames.push_back(std::move(levels));
+    }
+
+    void makeSpriteFrame(std::size_t frame) {
+        const TextureReference& wanted = description_.sprites[current_];
+        world_.sprites[current_].frames.push_back(
+            spriteFrame(sheet_, static_cast<int>(frame), wanted.frames, wanted.views));
     }
 
     void add(const ImageReference& reference, const Words& found, const Words& expected) {
@@ -201,7 +209,8 @@ private:
     const SceneFiles& files_;
     EarlyImages early_;
     TaskList& tasks_;
-    Image sheet_;  // whose frames are being made
+    Image sheet_;              // whose frames are being made
+    std::size_t current_ = 0;  // the texture or sprite that shows it
     std::vector<Fault> faults_;
     std::map<std::string, std::size_t> textures_;   // the first texture of a picture
     std::map<std::string, std::size_t> sprites_;    // the first sprite of a picture
@@ -245,18 +254,17 @@ struct SceneLoader::Work {
           reader(*scene.description, world, files, std::move(early), tasks) {
         world = std::move(scene.description->world);
         for (std::size_t i = 0; i < world.textures.size(); ++i)
-            tasks.add([this, i] { reader.readTexture(i); });
+            tasks.add<&ImageReader::readTexture>(reader, i);
         for (std::size_t i = 0; i < world.sprites.size(); ++i)
-            tasks.add([this, i] { reader.readSprite(i); });
-        for (const PanoramaReference& panorama : scene.description->panoramas)
-            tasks.add([this, &panorama] { reader.readPanorama(panorama); });
-        tasks.add([this] {
-            loaded.faults = reader.takeFaults();
-            if (loaded.faults.empty()) finish();
-        });
+            tasks.add<&ImageReader::readSprite>(reader, i);
+        for (std::size_t i = 0; i < scene.description->panoramas.size(); ++i)
+            tasks.add<&ImageReader::readPanorama>(reader, i);
+        tasks.add<&Work::prepare>(*this);
     }
 
     // Once all pictures are there.
+    void prepare();
+    void widenAllObjects();
     void finish();
 
     ParsedScene scene;
@@ -266,24 +274,30 @@ struct SceneLoader::Work {
     LoadedScene loaded;
 };
 
+void SceneLoader::Work::prepare() {
+    loaded.faults = reader.takeFaults();
+    if (!loaded.faults.empty()) return;
+    tasks.add<makeGateFrames>(world);
+    tasks.add<markSeeThrough>(world);
+    tasks.add<markPlans>(world);
+    tasks.add<&Work::widenAllObjects>(*this);
+    tasks.add<startObjects>(world);
+    tasks.add<&Work::finish>(*this);
+}
+
+void SceneLoader::Work::widenAllObjects() {
+    for (Map& map : world.maps) widenObjects(world, map);
+}
+
 void SceneLoader::Work::finish() {
-    tasks.add([this] { makeGateFrames(world); });
-    tasks.add([this] { markSeeThrough(world); });
-    tasks.add([this] { markPlans(world); });
-    tasks.add([this] {
-        for (Map& map : world.maps) widenObjects(world, map);
-    });
-    tasks.add([this] { startObjects(world); });
-    tasks.add([this] {
-        startQuest(world);
-        loaded.warnings = std::move(scene.warnings);
-        for (HiddenThing& thing : scene.description->hiddenThings) {
-            if (!world.blueprints[thing.block].seeThrough)
-                loaded.warnings.push_back(std::move(thing.warning));
-        }
-        loaded.aims = std::move(scene.description->aims);
-        loaded.world = std::move(world);
-    });
+    startQuest(world);
+    loaded.warnings = std::move(scene.warnings);
+    for (HiddenThing& thing : scene.description->hiddenThings) {
+        if (!world.blueprints[thing.block].seeThrough)
+            loaded.warnings.push_back(std::move(thing.warning));
+    }
+    loaded.aims = std::move(scene.description->aims);
+    loaded.world = std::move(world);
 }
 
 SceneLoader::SceneLoader(ParsedScene scene, const SceneFiles& files, EarlyImages early) {

@@ -42,13 +42,19 @@ struct SceneParser::Work {
           source(given.size() <= kMaxSceneBytes ? given : std::string_view()),
           checker(source, fileName) {
         description->fileName = std::move(fileName);
-        tasks.add([this] { readText(); });
-        tasks.add([this] { finish(); });
+        tasks.add<&Work::readText>(*this);
+        tasks.add<&Work::finish>(*this);
     }
 
     void readText();
     void readScene();
-    void readPartsOfMaps();
+    void readNames();
+    void readMapList();
+    void placeThings();
+    void placeMoversOfMaps();
+    void placeStart();
+    void readGame();
+    void findMistakes();
     void finish();
 
     std::string_view text;
@@ -59,7 +65,6 @@ struct SceneParser::Work {
     TaskList tasks;
     Reading reading{checker, *description, tasks, {}, {}, {}, {}, false, {}, 0};
     std::optional<Fields> fields;  // of the root
-    Legend legend{kEmptyCell, kEmptyCell};
     ParsedScene parsed;
 };
 
@@ -84,7 +89,7 @@ void SceneParser::Work::readText() {
     if (json.fault)
         checker.addSyntax(*json.fault);
     else
-        tasks.add([this] { readScene(); });
+        tasks.add<&Work::readScene>(*this);
 }
 
 // Tree to description. Reads every part of the tree, even after faults in earlier ones.
@@ -102,58 +107,70 @@ void SceneParser::Work::readScene() {
         description->world.title =
             checker.text(*title, kMaxTitleLength, "the name of the scene").value_or("");
     }
+    tasks.add<&Work::readNames>(*this);
+    tasks.add<&Work::readMapList>(*this);
+    tasks.add<&Work::placeThings>(*this);
+}
 
-    tasks.add([this, faultsBefore = checker.count()] {
-        if (const auto textures =
-                fields->require("textures", "a PNG file for each texture's name")) {
-            readTextures(reading, *textures);
-        } else {
-            reading.textures.takeAny();
-        }
-        if (const auto sprites = fields->find("sprites")) readSprites(reading, *sprites);
-        if (const auto motions = fields->find("motions")) readMotions(reading, *motions);
-        if (const auto blueprints = fields->find("blueprints"))
-            readBlueprints(reading, *blueprints);
-        if (const auto own = fields->find("legend"))
-            readLegend(checker, *own, reading.blueprints, "blueprint", legend);
-        reading.areBlueprintsSound = checker.count() == faultsBefore;
-    });
-    tasks.add([this] {
-        if (const auto maps = fields->require("maps", "an array of maps")) {
-            readMaps(reading, *maps, legend);
-        } else {
-            reading.maps.takeAny();
-        }
-    });
-    tasks.add([this] { readPartsOfMaps(); });
+void SceneParser::Work::readNames() {
+    const std::size_t faultsBefore = checker.count();
+    if (const auto textures = fields->require("textures", "a PNG file for each texture's name")) {
+        readTextures(reading, *textures);
+    } else {
+        reading.textures.takeAny();
+    }
+    if (const auto sprites = fields->find("sprites")) readSprites(reading, *sprites);
+    if (const auto motions = fields->find("motions")) readMotions(reading, *motions);
+    if (const auto blueprints = fields->find("blueprints")) readBlueprints(reading, *blueprints);
+    if (const auto own = fields->find("legend"))
+        readLegend(checker, *own, reading.blueprints, "blueprint", reading.legend);
+    reading.areBlueprintsSound = checker.count() == faultsBefore;
+}
+
+void SceneParser::Work::readMapList() {
+    if (const auto maps = fields->require("maps", "an array of maps")) {
+        readMaps(reading, *maps);
+    } else {
+        reading.maps.takeAny();
+    }
 }
 
 // What can be read once all maps are known.
-void SceneParser::Work::readPartsOfMaps() {
+void SceneParser::Work::placeThings() {
     if (const auto limit = fields->find("portalLimit")) {
         description->world.portalLimit =
             checker.wholeNumber(*limit, kPortalLimit).value_or(kDefaultPortalLimit);
     }
-    tasks.add([this] { placePortals(reading); });
-    tasks.add([this] {
-        if (const auto maps = fields->find("maps")) placeMovers(reading, *maps);
-    });
-    tasks.add([this] {
-        if (const auto start = fields->require("start", "where the player starts"))
-            readStart(reading, *start);
-        placePaths(reading);
-    });
-    tasks.add([this] { placeObjects(reading); });
-    tasks.add([this] { placeQuest(reading, fields->find("game")); });
-    tasks.add([this] {
-        if (checker.count() == 0) findHiddenThings(reading);
-        const std::vector<Map>& maps = description->world.maps;
-        if (reading.lamp &&
-            std::none_of(maps.begin(), maps.end(), [](const Map& map) { return map.baked.on; }))
-            checker.warn(*reading.lamp, "a lamp, but no map with \"baked\": it does not shine",
-                         "\"baked\" in its map");
-    });
-    tasks.add([this] { placeVariants(reading); });
+    tasks.add<placePortals>(reading);
+    tasks.add<&Work::placeMoversOfMaps>(*this);
+    tasks.add<&Work::placeStart>(*this);
+    tasks.add<placeObjects>(reading);
+    tasks.add<&Work::readGame>(*this);
+    tasks.add<&Work::findMistakes>(*this);
+    tasks.add<placeVariants>(reading);
+}
+
+void SceneParser::Work::placeMoversOfMaps() {
+    if (const auto maps = fields->find("maps")) placeMovers(reading, *maps);
+}
+
+void SceneParser::Work::placeStart() {
+    if (const auto start = fields->require("start", "where the player starts"))
+        readStart(reading, *start);
+    placePaths(reading);
+}
+
+void SceneParser::Work::readGame() {
+    placeQuest(reading, fields->find("game"));
+}
+
+void SceneParser::Work::findMistakes() {
+    if (checker.count() == 0) findHiddenThings(reading);
+    const std::vector<Map>& maps = description->world.maps;
+    if (reading.lamp &&
+        std::none_of(maps.begin(), maps.end(), [](const Map& map) { return map.baked.on; }))
+        checker.warn(*reading.lamp, "a lamp, but no map with \"baked\": it does not shine",
+                     "\"baked\" in its map");
 }
 
 void SceneParser::Work::finish() {

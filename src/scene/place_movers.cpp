@@ -5,7 +5,6 @@
 #include "world/mover.h"
 
 #include <algorithm>
-#include <memory>
 #include <vector>
 
 namespace slicecast {
@@ -19,8 +18,9 @@ JsonValue elementOf(JsonValue array, int index) {
 }
 
 // At the cell's character in its row.
-void addFault(Reading& reading, JsonValue maps, const PlacingFault& fault) {
-    const auto levels = elementOf(maps, fault.map).find("levels");
+void addFault(Reading& reading, const PlacingFault& fault) {
+    const JsonValue map = reading.mapValues[static_cast<std::size_t>(fault.map)];
+    const auto levels = map.find("levels");
     if (!levels) return;
     const JsonValue rows = elementOf(*levels, fault.level);
     if (rows.count() == 0) return reading.checker.add(rows, fault.found, fault.expected);
@@ -29,7 +29,7 @@ void addFault(Reading& reading, JsonValue maps, const PlacingFault& fault) {
 }
 
 // Each frame of a sheet that a gate shows becomes a texture.
-void checkGateFrames(Reading& reading, JsonValue maps) {
+void checkGateFrames(Reading& reading) {
     const World& world = reading.description.world;
     std::vector<bool> isSheet(world.textures.size());
     for (const Gate& gate : world.gates) {
@@ -46,7 +46,7 @@ void checkGateFrames(Reading& reading, JsonValue maps) {
     }
     if (textures <= static_cast<std::size_t>(kMaxTextures)) return;
     reading.checker.add(
-        maps,
+        *reading.mapList,
         {Counted{static_cast<std::int64_t>(textures), "texture"}, ", counting the frames of gates"},
         {"at most ", kMaxTextures});
 }
@@ -68,6 +68,19 @@ void warnOfMissingGates(Reading& reading) {
     }
 }
 
+// Once the movers are made.
+void placeGates(Reading& reading) {
+    std::vector<PlacingFault> faults = reading.movers->takeFaults();
+    const std::vector<PlacingFault> more = makeGates(reading.description.world);
+    faults.insert(faults.end(), more.begin(), more.end());
+    for (const PlacingFault& fault : faults) addFault(reading, fault);
+    // The blocks around the start are unknown then.
+    if (!faults.empty()) reading.areBlueprintsSound = false;
+    if (!faults.empty()) return;
+    checkGateFrames(reading);
+    warnOfMissingGates(reading);
+}
+
 }  // namespace
 
 void placeMovers(Reading& reading, JsonValue maps) {
@@ -75,19 +88,9 @@ void placeMovers(Reading& reading, JsonValue maps) {
     const bool areSound = std::all_of(reading.isMapSound.begin(), reading.isMapSound.end(),
                                       [](bool isSound) { return isSound; });
     if (!areSound) return;
-    World& world = reading.description.world;
-    const auto faults = std::make_shared<std::vector<PlacingFault>>();
-    makeMovers(world, reading.tasks, *faults);
-    reading.tasks.add([&reading, maps, faults] {
-        const std::vector<PlacingFault> more = makeGates(reading.description.world);
-        faults->insert(faults->end(), more.begin(), more.end());
-        for (const PlacingFault& fault : *faults) addFault(reading, maps, fault);
-        // The blocks around the start are unknown then.
-        if (!faults->empty()) reading.areBlueprintsSound = false;
-        if (!faults->empty()) return;
-        checkGateFrames(reading, maps);
-        warnOfMissingGates(reading);
-    });
+    reading.mapList = maps;
+    reading.movers.emplace(reading.description.world, reading.tasks);
+    reading.tasks.add<placeGates>(reading);
 }
 
 }  // namespace slicecast

@@ -45,13 +45,15 @@ void refuse(Reading& reading, JsonValue value, Sown sown) {
                         {"at most ", most, " in a scene"});
 }
 
+}  // namespace
+
 // What the tasks share.
 struct Placing {
     explicit Placing(Reading& read) : reading(read), world(read.description.world) {}
 
     bool checkMotions();
-    void beginSowing(const SowingOrder& order);
-    bool sowSome(const SowingOrder& order);
+    void beginSowing(std::size_t number);
+    bool sowSome(std::size_t number);
     bool takeLevels(JsonValue value, std::size_t first, std::size_t end);
 
     Reading& reading;
@@ -100,17 +102,21 @@ bool Placing::checkMotions() {
     return next < all.size();
 }
 
-void Placing::beginSowing(const SowingOrder& order) {
+void Placing::beginSowing(std::size_t number) {
+    const SowingOrder& order = reading.sowings[number];
+    if (isOver || !isSound(reading, order.map)) return;
     if (map != order.map) taken.emplace(world.maps[order.map]);
     map = order.map;
     nextRow = 0;
     motionsBefore = world.movingObjects.motions.size();
     findsBefore = world.quest.finds.size();
+    reading.tasks.add<&Placing::sowSome>(*this, number);
 }
 
 // Sows some rows. False if that is all.
-bool Placing::sowSome(const SowingOrder& order) {
+bool Placing::sowSome(std::size_t number) {
     constexpr int kTilesOfTask = 16'384;
+    const SowingOrder& order = reading.sowings[number];
     const Map& sown = world.maps[order.map];
     const int end = std::min(nextRow + std::max(1, kTilesOfTask / sown.width), sown.depth);
     const Sown how = sowObjects(world, static_cast<int>(order.map), order.sowing, *taken,
@@ -133,17 +139,11 @@ bool Placing::sowSome(const SowingOrder& order) {
     return false;
 }
 
-}  // namespace
-
 void placeObjects(Reading& reading) {
-    const auto placing = std::make_shared<Placing>(reading);
-    reading.tasks.repeat([placing] { return placing->checkMotions(); });
-    for (const SowingOrder& order : reading.sowings)
-        reading.tasks.add([placing, &order] {
-            if (placing->isOver || !isSound(placing->reading, order.map)) return;
-            placing->beginSowing(order);
-            placing->reading.tasks.repeat([placing, &order] { return placing->sowSome(order); });
-        });
+    reading.placing = std::make_shared<Placing>(reading);
+    reading.tasks.add<&Placing::checkMotions>(*reading.placing);
+    for (std::size_t order = 0; order < reading.sowings.size(); ++order)
+        reading.tasks.add<&Placing::beginSowing>(*reading.placing, order);
 }
 
 void findHiddenThings(Reading& reading) {

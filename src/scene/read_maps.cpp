@@ -42,7 +42,7 @@ void checkCeiling(Reading& reading, JsonValue value, const Map& map) {
     }
 }
 
-Map readMap(Reading& reading, JsonValue value, std::size_t index, const Legend& legendOfAll) {
+Map readMap(Reading& reading, JsonValue value, std::size_t index) {
     Checker& checker = reading.checker;
     Map map;
     const auto fields =
@@ -54,7 +54,7 @@ Map readMap(Reading& reading, JsonValue value, std::size_t index, const Legend& 
     readName(reading, *fields, static_cast<std::uint16_t>(index), map);
 
     // The grid comes first: the rest needs its size.
-    Legend legend = legendOfAll;
+    Legend legend = reading.legend;
     if (const auto own = fields->find("legend"))
         readLegend(checker, *own, reading.blueprints, "blueprint", legend);
     for (const auto& [character, blueprint] : legend.entries())
@@ -84,9 +84,15 @@ Map readMap(Reading& reading, JsonValue value, std::size_t index, const Legend& 
     return map;
 }
 
+void readMapAt(Reading& reading, std::size_t index) {
+    const std::size_t faultsBefore = reading.checker.count();
+    reading.description.world.maps.push_back(readMap(reading, reading.mapValues[index], index));
+    reading.isMapSound.push_back(reading.checker.count() == faultsBefore);
+}
+
 }  // namespace
 
-void readMaps(Reading& reading, JsonValue value, const Legend& legend) {
+void readMaps(Reading& reading, JsonValue value) {
     Checker& checker = reading.checker;
     if (!value.isArray() || value.count() == 0) {
         checker.refuse(value, "an array of at least one map");
@@ -100,13 +106,8 @@ void readMaps(Reading& reading, JsonValue value, const Legend& legend) {
         return;
     }
     for (const JsonValue element : value) {
-        reading.tasks.add([&reading, &legend, element] {
-            std::vector<Map>& maps = reading.description.world.maps;
-            const std::size_t faultsBefore = reading.checker.count();
-            maps.push_back(readMap(reading, element, maps.size(), legend));
-            reading.mapValues.push_back(element);
-            reading.isMapSound.push_back(reading.checker.count() == faultsBefore);
-        });
+        reading.tasks.add<readMapAt>(reading, reading.mapValues.size());
+        reading.mapValues.push_back(element);
     }
 }
 

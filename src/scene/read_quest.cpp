@@ -145,6 +145,12 @@ void readGame(Reading& reading, JsonValue value) {
     }
 }
 
+void checkNotice(Reading& reading, std::size_t number) {
+    const PlacedNotice& placed = reading.placedNotices[number];
+    const Notice& notice = reading.description.world.quest.notices[placed.notice];
+    checkArea(reading, placed.value, notice.map, notice.area, "a message");
+}
+
 }  // namespace
 
 void readFind(Reading& reading, JsonValue value, int object) {
@@ -238,21 +244,15 @@ void readMessages(Reading& reading, JsonValue value) {
 }
 
 void placeQuest(Reading& reading, FoundValue game) {
-    reading.tasks.add([&reading, game] {
-        for (const PlacedNeeds& placed : reading.needs) {
-            GateKind& kind =
-                reading.description.world.gateKinds[static_cast<std::size_t>(placed.gate)];
-            kind.needs = readNeeds(reading, placed.value);
-            if (reading.checker.count() == 0) checkNeeds(reading, placed.value, kind.needs);
-        }
-        if (game) readGame(reading, *game);
-        if (reading.checker.count() != 0) return;
-        for (const PlacedNotice& placed : reading.placedNotices)
-            reading.tasks.add([&reading, &placed] {
-                const Notice& notice = reading.description.world.quest.notices[placed.notice];
-                checkArea(reading, placed.value, notice.map, notice.area, "a message");
-            });
-    });
+    for (const PlacedNeeds& placed : reading.needs) {
+        GateKind& kind = reading.description.world.gateKinds[static_cast<std::size_t>(placed.gate)];
+        kind.needs = readNeeds(reading, placed.value);
+        if (reading.checker.count() == 0) checkNeeds(reading, placed.value, kind.needs);
+    }
+    if (game) readGame(reading, *game);
+    if (reading.checker.count() != 0) return;
+    for (std::size_t notice = 0; notice < reading.placedNotices.size(); ++notice)
+        reading.tasks.add<checkNotice>(reading, notice);
 }
 
 }  // namespace slicecast

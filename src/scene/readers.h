@@ -9,6 +9,7 @@
 #include "scene/limits.h"
 #include "scene/names.h"
 #include "scene/rooms.h"
+#include "world/mover.h"
 #include "world/object_sowing.h"
 
 #include <cstdint>
@@ -91,6 +92,8 @@ struct ReadClouds {
     std::shared_ptr<const CloudCover> shape;
 };
 
+struct Placing;
+
 // What the readers share.
 struct Reading {
     Checker& checker;
@@ -120,6 +123,11 @@ struct Reading {
     std::vector<ReadClouds> clouds = {};  // each shape once
     FoundValue lamp = {};                 // the first one of a face or an object
     std::vector<LampId> lampOrder = {};   // the world's kinds of lamp, sorted by what they are
+
+    Legend legend{kEmptyCell, kEmptyCell};  // of all maps
+    FoundValue mapList = {};
+    std::optional<MoverMaker> movers = {};
+    std::shared_ptr<Placing> placing = {};  // see place_objects.cpp
 
     void addAim(Aim::What what, JsonValue value, std::size_t first, std::size_t count = 1) {
         description.aims.push_back({what, first, count, checker.faultAt(value)});
@@ -201,8 +209,8 @@ void checkMotion(Reading& reading, JsonValue value, const CellBlueprint& bluepri
 void readBlueprints(Reading& reading, JsonValue value);
 
 // "maps": [ { name, legend, levels, floor, ceiling, objects, sow, portals, sky, light, fog, haze,
-// far } ]; `legend` is the one of all maps.
-void readMaps(Reading& reading, JsonValue value, const Legend& legend);
+// far } ]
+void readMaps(Reading& reading, JsonValue value);
 
 // "levels" of a map: its size and cells.
 void readLevels(Reading& reading, JsonValue value, const Legend& legend, Map& map);

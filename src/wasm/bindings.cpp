@@ -42,7 +42,7 @@ using namespace slicecast;
 // the game of its session.
 struct SlicecastSession {
     bool ofProgram = false;
-    std::string text;  // that is being parsed
+    std::string sceneText;  // that is being parsed
     std::optional<SceneParser> parser;
     ParsedScene parsed;
     SceneFiles files;
@@ -159,7 +159,7 @@ void takeButtons(Input& input, int32_t buttons) {
 void SlicecastSession::endParsing() {
     parsed = parser->take();
     parser.reset();
-    text = {};
+    sceneText = {};
     JsonText json;
     json.beginObject().key("files").beginArray();
     for (const std::string& file : parsed.files) json.text(file);
@@ -222,8 +222,8 @@ EMSCRIPTEN_KEEPALIVE void slicecast_parse(SlicecastSession* session, const char*
     session->files.clear();
     session->early = {};
     session->parser.reset();
-    session->text.assign(text, static_cast<std::size_t>(textBytes));
-    session->parser.emplace(session->text, fileName);
+    session->sceneText.assign(text, static_cast<std::size_t>(textBytes));
+    session->parser.emplace(session->sceneText, fileName);
 }
 
 EMSCRIPTEN_KEEPALIVE double slicecast_next(SlicecastSession* session) {

@@ -27,6 +27,7 @@
 
 #include <cstddef>
 #include <cstdint>
+#include <memory>
 #include <span>
 #include <vector>
 
@@ -77,8 +78,19 @@ struct Mover {
 // Returns faults; with any the world is unusable.
 std::vector<PlacingFault> makeMovers(World& world);
 
-// The same as tasks, which add to the faults; all three must outlive them.
-void makeMovers(World& world, TaskList& tasks, std::vector<PlacingFault>& faults);
+// The same as tasks, which it adds to a list.
+class MoverMaker {
+public:
+    // It, the world and the list must outlive the tasks.
+    MoverMaker(World& world, TaskList& tasks);
+    MoverMaker(const MoverMaker&) = delete;
+    ~MoverMaker();
+    std::vector<PlacingFault> takeFaults();
+
+private:
+    struct Work;
+    std::unique_ptr<Work> work_;
+};
 
 // One step of all movers that no gate moves. Moves the bodies along. Call findEncounters before.
 void stepMovers(World& world, std::span<Body> bodies);

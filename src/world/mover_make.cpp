@@ -69,38 +69,6 @@ struct InMaking {
     std::vector<std::size_t> sorted = {};  // indices into it
 };
 
-struct Maker {
-    World& world;
-    std::vector<PlacingFault>& faults;
-    TaskList& tasks;
-    std::vector<BlueprintId> kinds;
-    std::vector<MapTile> exits;                       // see exitsOfLevelFaces
-    std::size_t cells = kMaxMovingCells;              // remaining
-    std::vector<std::vector<CellPlace>> groups = {};  // of the map
-    std::size_t group = 0;                            // the next one
-    std::optional<InMaking> making = {};
-    std::size_t placesDone = 0;  // in the task
-    std::size_t partsMade = 0;
-    bool isOver = false;  // after a fault that ends it
-
-    void addFault(int map, const CellPlace& at, std::string found, std::string expected) {
-        faults.push_back({map, at.x, at.y, at.level, std::move(found), std::move(expected)});
-    }
-    std::string blockOf(BlueprintId id) const {
-        return words("the moving block \"", world.blueprints[id].name, "\"");
-    }
-
-    void beginMap(int mapIndex);
-    bool makeSome(int mapIndex);
-    void beginMover(int mapIndex);
-    bool makeNextRun(int mapIndex);
-    bool makeShaft(int mapIndex, const Run& run, const Motion& motion, int mover, Shaft& shaft);
-    bool findReach(int mapIndex, const Run& run, const Motion& motion, Shaft& shaft);
-    bool takeRun(int mapIndex, const Run& run, const Motion& motion, Shaft& shaft);
-    bool hasRoomForSlopes(int mapIndex, const Run& run, const Motion& motion,
-                          const CellPlace& cell);
-};
-
 std::string numberText(Coordinate number) {
     std::string text(fixedText(number.value(), 6));
     text.erase(text.find_last_not_of('0') + 1);
@@ -113,8 +81,44 @@ std::string_view axisName(Axis axis) {
     return axis == Axis::x ? "x" : axis == Axis::y ? "y" : "height";
 }
 
+}  // namespace
+
+struct MoverMaker::Work {
+    World& world;
+    TaskList& tasks;
+    std::vector<BlueprintId> kinds;
+    std::vector<MapTile> exits;                       // see exitsOfLevelFaces
+    std::size_t cells = kMaxMovingCells;              // remaining
+    std::vector<std::vector<CellPlace>> groups = {};  // of the map
+    std::size_t group = 0;                            // the next one
+    std::optional<InMaking> making = {};
+    std::size_t placesDone = 0;  // in the task
+    std::size_t partsMade = 0;
+    bool isOver = false;  // after a fault that ends it
+    std::vector<PlacingFault> faults = {};
+
+    void addFault(int map, const CellPlace& at, std::string found, std::string expected) {
+        faults.push_back({map, at.x, at.y, at.level, std::move(found), std::move(expected)});
+    }
+    std::string blockOf(BlueprintId id) const {
+        return words("the moving block \"", world.blueprints[id].name, "\"");
+    }
+
+    void beginMap(std::size_t mapIndex);
+    bool makeSome(std::size_t mapIndex);
+    void end();
+    void beginMover(int mapIndex);
+    bool makeNextRun(int mapIndex);
+    bool makeShaft(int mapIndex, const Run& run, const Motion& motion, int mover, Shaft& shaft);
+    bool findReach(int mapIndex, const Run& run, const Motion& motion, Shaft& shaft);
+    bool takeRun(int mapIndex, const Run& run, const Motion& motion, Shaft& shaft);
+    bool hasRoomForSlopes(int mapIndex, const Run& run, const Motion& motion,
+                          const CellPlace& cell);
+};
+
 // Sets a shaft's extent, its places and blueprints.
-bool Maker::makeShaft(int mapIndex, const Run& run, const Motion& motion, int mover, Shaft& shaft) {
+bool MoverMaker::Work::makeShaft(int mapIndex, const Run& run, const Motion& motion, int mover,
+                                 Shaft& shaft) {
     const std::string block = blockOf(run.blueprints[0]);
     CellBlueprint lowest = world.blueprints[run.blueprints.front()];
     CellBlueprint highest = world.blueprints[run.blueprints.back()];
@@ -176,7 +180,7 @@ bool Maker::makeShaft(int mapIndex, const Run& run, const Motion& motion, int mo
 }
 
 // Sets the places that a shaft reaches, which must lie in the map.
-bool Maker::findReach(int mapIndex, const Run& run, const Motion& motion, Shaft& shaft) {
+bool MoverMaker::Work::findReach(int mapIndex, const Run& run, const Motion& motion, Shaft& shaft) {
     const Map& map = world.maps[static_cast<std::size_t>(mapIndex)];
     const std::string block = blockOf(run.blueprints[0]);
     const Coordinate least = std::min(motion.from, motion.to);
@@ -210,8 +214,8 @@ bool Maker::findReach(int mapIndex, const Run& run, const Motion& motion, Shaft&
 
 // Whether neither a ceiling nor the rays of a portal begin between the lowest and the highest point
 // of a block with slopes that comes to a cell.
-bool Maker::hasRoomForSlopes(int mapIndex, const Run& run, const Motion& motion,
-                             const CellPlace& cell) {
+bool MoverMaker::Work::hasRoomForSlopes(int mapIndex, const Run& run, const Motion& motion,
+                                        const CellPlace& cell) {
     const Map& map = world.maps[static_cast<std::size_t>(mapIndex)];
     const auto block = [&] { return words(blockOf(run.blueprints[0]), " with slopes"); };
     const auto where = [&] { return words(" tile (", cell.x, ", ", cell.y, ")"); };
@@ -237,7 +241,7 @@ bool Maker::hasRoomForSlopes(int mapIndex, const Run& run, const Motion& motion,
 }
 
 // Takes the cells that a run reaches, which must be empty except for its own.
-bool Maker::takeRun(int mapIndex, const Run& run, const Motion& motion, Shaft& shaft) {
+bool MoverMaker::Work::takeRun(int mapIndex, const Run& run, const Motion& motion, Shaft& shaft) {
     const Axis axis = motion.axis;
     Map& map = world.maps[static_cast<std::size_t>(mapIndex)];
     const std::size_t reached =
@@ -275,7 +279,7 @@ bool Maker::takeRun(int mapIndex, const Run& run, const Motion& motion, Shaft& s
     return true;
 }
 
-void Maker::beginMover(int mapIndex) {
+void MoverMaker::Work::beginMover(int mapIndex) {
     const Map& map = world.maps[static_cast<std::size_t>(mapIndex)];
     making.emplace();
     making->cells = std::move(groups[group++]);
@@ -294,7 +298,7 @@ void Maker::beginMover(int mapIndex) {
 }
 
 // False if it has a fault.
-bool Maker::makeNextRun(int mapIndex) {
+bool MoverMaker::Work::makeNextRun(int mapIndex) {
     const Map& map = world.maps[static_cast<std::size_t>(mapIndex)];
     Mover& mover = making->mover;
     const std::vector<CellPlace>& places = making->cells;
@@ -334,7 +338,8 @@ bool Maker::makeNextRun(int mapIndex) {
 }
 
 // Makes movers of the map's groups, for one task. False if none are left.
-bool Maker::makeSome(int mapIndex) {
+bool MoverMaker::Work::makeSome(std::size_t number) {
+    const auto mapIndex = static_cast<int>(number);
     constexpr std::size_t kPlacesOfTask = 4096;
     placesDone = 0;
     while (placesDone < kPlacesOfTask) {
@@ -360,41 +365,47 @@ bool Maker::makeSome(int mapIndex) {
     return true;
 }
 
-void Maker::beginMap(int mapIndex) {
+void MoverMaker::Work::beginMap(std::size_t mapIndex) {
     if (isOver) return;
     groups.clear();
     group = 0;
-    if (groupCells(world.maps[static_cast<std::size_t>(mapIndex)], kinds, cells, groups)) {
-        tasks.repeat([this, mapIndex] { return makeSome(mapIndex); });
+    if (groupCells(world.maps[mapIndex], kinds, cells, groups)) {
+        tasks.add<&Work::makeSome>(*this, mapIndex);
         return;
     }
-    addFault(mapIndex, {}, words("more than ", kMaxMovingCells, " cells of moving blocks"),
+    addFault(static_cast<int>(mapIndex), {},
+             words("more than ", kMaxMovingCells, " cells of moving blocks"),
              "fewer or smaller ones");
     isOver = true;
 }
 
-}  // namespace
+void MoverMaker::Work::end() {
+    if (faults.empty()) resetMovers(world);
+}
 
-void makeMovers(World& world, TaskList& tasks, std::vector<PlacingFault>& faults) {
-    std::vector<BlueprintId> kinds = kindsOf(world, &CellBlueprint::motion);
+MoverMaker::MoverMaker(World& world, TaskList& tasks)
+    : work_(new Work{world, tasks, kindsOf(world, &CellBlueprint::motion), {}}) {
+    const std::vector<BlueprintId>& kinds = work_->kinds;
     if (std::all_of(kinds.begin(), kinds.end(),
                     [](BlueprintId kind) { return kind == kEmptyCell; }))
         return;
-    const auto maker = std::make_shared<Maker>(
-        Maker{world, faults, tasks, std::move(kinds), exitsOfLevelFaces(world)});
-    for (int map = 0; map < static_cast<int>(world.maps.size()); ++map)
-        tasks.add([maker, map] { maker->beginMap(map); });
-    tasks.add([maker] {
-        if (maker->faults.empty()) resetMovers(maker->world);
-    });
+    work_->exits = exitsOfLevelFaces(world);
+    for (std::size_t map = 0; map < world.maps.size(); ++map)
+        tasks.add<&Work::beginMap>(*work_, map);
+    tasks.add<&Work::end>(*work_);
+}
+
+MoverMaker::~MoverMaker() = default;
+
+std::vector<PlacingFault> MoverMaker::takeFaults() {
+    return std::move(work_->faults);
 }
 
 std::vector<PlacingFault> makeMovers(World& world) {
     TaskList tasks;
-    std::vector<PlacingFault> faults;
-    makeMovers(world, tasks, faults);
+    MoverMaker maker(world, tasks);
     tasks.doAll();
-    return faults;
+    return maker.takeFaults();
 }
 
 }  // namespace slicecast

@@ -7,57 +7,75 @@
 namespace slicecast {
 namespace {
 
-TEST(TaskList, DoesTasksInOrder) {
+struct Work {
     TaskList tasks;
     std::string done;
-    tasks.add([&] { done += 'a'; });
-    tasks.add([&] { done += 'b'; });
-    EXPECT_TRUE(tasks.doNext());
-    EXPECT_EQ(done, "a");
-    tasks.doAll();
-    EXPECT_EQ(done, "ab");
-    EXPECT_FALSE(tasks.doNext());
+    int left = 3;
+
+    void a() { done += 'a'; }
+    void b() { done += 'b'; }
+    void number(std::size_t n) { done += std::to_string(n); }
+    void several() {
+        done += '(';
+        tasks.add<&Work::nested>(*this);
+        tasks.add<&Work::b>(*this);
+    }
+    void nested() {
+        done += '[';
+        tasks.add<&Work::a>(*this);
+    }
+    bool again() {
+        done += '.';
+        tasks.add<&Work::number>(*this, static_cast<std::size_t>(left));
+        return --left > 0;
+    }
+};
+
+void endOf(Work& work) {
+    work.done += '!';
+}
+
+TEST(TaskList, DoesTasksInOrder) {
+    Work work;
+    work.tasks.add<&Work::a>(work);
+    work.tasks.add<&Work::number>(work, 42);
+    work.tasks.add<endOf>(work);
+    EXPECT_TRUE(work.tasks.doNext());
+    EXPECT_EQ(work.done, "a");
+    work.tasks.doAll();
+    EXPECT_EQ(work.done, "a42!");
+    EXPECT_FALSE(work.tasks.doNext());
 }
 
 TEST(TaskList, DoesWhatATaskAddsRightAfterIt) {
-    TaskList tasks;
-    std::string done;
-    tasks.add([&] {
-        done += 'a';
-        tasks.add([&] {
-            done += 'b';
-            tasks.add([&] { done += 'c'; });
-        });
-        tasks.add([&] { done += 'd'; });
-    });
-    tasks.add([&] { done += 'e'; });
-    tasks.doAll();
-    EXPECT_EQ(done, "abcde");
+    Work work;
+    work.tasks.add<&Work::several>(work);
+    work.tasks.add<endOf>(work);
+    work.tasks.doAll();
+    EXPECT_EQ(work.done, "([ab!");
 }
 
-TEST(TaskList, RepeatsATask) {
-    TaskList tasks;
-    std::string done;
-    tasks.repeat([&, left = 3]() mutable {
-        done += 'a';
-        return --left > 0;
-    });
-    tasks.add([&] { done += 'b'; });
-    EXPECT_TRUE(tasks.doNext());
-    EXPECT_EQ(done, "a");
-    tasks.doAll();
-    EXPECT_EQ(done, "aaab");
+TEST(TaskList, RepeatsATaskAfterWhatItAdds) {
+    Work work;
+    work.tasks.add<&Work::again>(work);
+    work.tasks.add<endOf>(work);
+    work.tasks.doAll();
+    EXPECT_EQ(work.done, ".3.2.1!");
 }
 
 TEST(TaskList, TellsTheShareThatIsDone) {
-    TaskList tasks;
-    EXPECT_EQ(tasks.share(), 0.0);
-    for (int i = 0; i < 4; ++i) tasks.add([] {});
-    EXPECT_EQ(tasks.share(), 0.0);
-    EXPECT_TRUE(tasks.doNext());
-    EXPECT_EQ(tasks.share(), 0.25);
-    tasks.doAll();
-    EXPECT_EQ(tasks.share(), 1.0);
+    Work work;
+    EXPECT_EQ(work.tasks.share(), 0.0);
+    for (int i = 0; i < 4; ++i) work.tasks.add<&Work::a>(work);
+    EXPECT_TRUE(work.tasks.doNext());
+    EXPECT_EQ(work.tasks.share(), 0.25);
+    work.tasks.add<&Work::several>(work);
+    double before = 0.0;
+    while (work.tasks.doNext()) {
+        EXPECT_GE(work.tasks.share(), before);
+        before = work.tasks.share();
+    }
+    EXPECT_EQ(work.tasks.share(), 1.0);
 }
 
 }  // namespace

@@ -19,7 +19,9 @@ import { Trouble } from './trouble.js';
 
 const kAxes = ['forward', 'strafe', 'turn', 'look', 'fly'];
 const kMostSteps = 120 * 3600; // per call: an hour of the world's time
-const kFilesShare = 0.9; // of the progress of loading; the rest makes the world of them
+// Of the progress of loading; the rest makes the world.
+const kTextShare = 0.1;
+const kFilesShare = 0.8;
 const kAdoptedSlack = 16 << 20; // bytes that playing may add to the scene: picture and view tables
 const kButtons = { jump: 1, fast: 2, slow: 4, use: 8, open: 16, close: 32 };
 
@@ -71,7 +73,7 @@ export class Engine {
     const load = ++this.#loads;
     const isLatest = () => load === this.#loads && isWanted();
     const loading = new SceneLoading(this.#module, this.#session, isLatest);
-    const names = await loading.readNames(source);
+    const names = await loading.readNames(source, onProgress);
     if (names === null) return null;
     if (names.faults.length > 0) return names.faults;
     await loading.supplyFiles(names.files, source, onProgress);
@@ -464,7 +466,7 @@ class SceneLoading {
   }
 
   // The text: {files, faults}.
-  async readNames(source) {
+  async readNames(source, onProgress = () => {}) {
     const text = await source.readText();
     if (!this.#isWanted()) return null;
     withBytes(this.#module, text, (textAt) =>
@@ -472,7 +474,7 @@ class SceneLoading {
         this.#module._slicecast_parse(this.#session, textAt, text.length, nameAt),
       ),
     );
-    return this.#finish();
+    return this.#finish((share) => onProgress(kTextShare * share, 0));
   }
 
   // The files that the text names: each is decoded as it arrives, while the others load.
@@ -481,7 +483,9 @@ class SceneLoading {
     let isOver = false;
     const report = () =>
       onProgress(
-        (kFilesShare * shares.reduce((sum, share) => sum + share, 0)) / Math.max(1, shares.length),
+        kTextShare +
+          (kFilesShare * shares.reduce((sum, share) => sum + share, 0)) /
+            Math.max(1, shares.length),
         this.#bytes,
       );
     const supply = async (name, index) => {
@@ -512,7 +516,7 @@ class SceneLoading {
   async start(onProgress = () => {}) {
     this.#module._slicecast_start(this.#session);
     const result = await this.#finish((share) =>
-      onProgress(kFilesShare + share * (1 - kFilesShare), this.#bytes),
+      onProgress(kTextShare + kFilesShare + share * (1 - kTextShare - kFilesShare), this.#bytes),
     );
     if (result !== null) onProgress(1, this.#bytes);
     return result;
