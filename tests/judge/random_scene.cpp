@@ -10,6 +10,13 @@
 #include <utility>
 
 namespace slicecast::judge {
+
+Colour anyColour(Random& random) {
+    return {static_cast<std::uint8_t>(random.below(256)),
+            static_cast<std::uint8_t>(random.below(256)),
+            static_cast<std::uint8_t>(random.below(256)), 255};
+}
+
 namespace {
 
 // A texture of which each texel's colour tells its place: red the texture and the frame, green u,
@@ -46,12 +53,6 @@ Coordinate fractionOfTile(Random& random, bool coarse) {
 
 TextureId anyTexture(Random& random) {
     return static_cast<TextureId>(random.below(kTextures));
-}
-
-Colour anyColour(Random& random) {
-    return {static_cast<std::uint8_t>(random.below(256)),
-            static_cast<std::uint8_t>(random.below(256)),
-            static_cast<std::uint8_t>(random.below(256)), 255};
 }
 
 CellBlueprint randomBlueprint(Random& random, bool coarse) {
@@ -638,6 +639,31 @@ void turnAlongCut(Random& random, Scene& scene, bool isFalling) {
     view.y = {tileEdge(view.y.tile()).raw + (isFalling ? x : (65536 - x) & 0xffff)};
 }
 
+// Each kind of moving block, in one of so many worlds.
+void addWhatMoves(std::uint64_t seed, Random& random, World& world, int odds, bool coarse) {
+    addKin(random, world);
+    changeMovers(random, world);
+    Random uneven(seed ^ 0x756e6576u);
+    if (uneven.oneIn(odds)) addUneven(uneven, world, coarse || uneven.oneIn(2));
+    Random sliders(seed ^ 0x736c6964u);
+    if (sliders.oneIn(odds)) addSliders(sliders, world, coarse || sliders.oneIn(2));
+}
+
+// What comes after all blocks that a scene may have anyway.
+void finish(std::uint64_t seed, Scene& scene, Random& lamps, bool isLit) {
+    Random wedges(seed ^ 0x63757473u);
+    if (isLit && wedges.oneIn(3)) addRamps(wedges, scene.world, false, true);
+    Random variants(seed ^ 0x76617269u);
+    if (variants.oneIn(6)) vary(variants, scene.world);
+    if (isLit) light(lamps, scene.world);
+    Random hung(seed ^ 0x68616e67u);
+    if (isLit && scene.world.portals.empty()) hangInCeiling(hung, scene.world, scene.view);
+    widenSliders(scene.world);
+    stir(seed, scene.world);
+    Random smooth(seed ^ 0x736d6f6fu);
+    scene.view.smooth = smooth.oneIn(3);
+}
+
 }  // namespace
 
 Scene randomScene(std::uint64_t seed, int width, int height) {
@@ -681,12 +707,7 @@ Scene randomScene(std::uint64_t seed, int width, int height) {
         if (!water.oneIn(4)) dive(water, scene.world, view);
     }
     Random more(seed ^ 0x6d6f7265u);
-    addKin(more, scene.world);
-    changeMovers(more, scene.world);
-    Random uneven(seed ^ 0x756e6576u);
-    if (uneven.oneIn(4)) addUneven(uneven, scene.world, uneven.oneIn(2));
-    Random sliders(seed ^ 0x736c6964u);
-    if (sliders.oneIn(4)) addSliders(sliders, scene.world, sliders.oneIn(2));
+    addWhatMoves(seed, more, scene.world, 4, false);
     Random slopes(seed ^ 0x736c6f70u);
     Random lamps(seed ^ 0x6c616d70u);
     const bool isLit = lamps.oneIn(4);
@@ -694,17 +715,7 @@ Scene randomScene(std::uint64_t seed, int width, int height) {
     Random ramps(seed ^ 0x72616d70u);
     if (ramps.oneIn(3)) addRamps(ramps, scene.world, ramps.oneIn(2));
     if (more.oneIn(6)) enterMover(more, scene.world, view);
-    Random wedges(seed ^ 0x63757473u);
-    if (isLit && wedges.oneIn(3)) addRamps(wedges, scene.world, false, true);
-    Random variants(seed ^ 0x76617269u);
-    if (variants.oneIn(6)) vary(variants, scene.world);
-    if (isLit) light(lamps, scene.world);
-    Random hung(seed ^ 0x68616e67u);
-    if (isLit && scene.world.portals.empty()) hangInCeiling(hung, scene.world, view);
-    widenSliders(scene.world);
-    stir(seed, scene.world);
-    Random smooth(seed ^ 0x736d6f6fu);
-    view.smooth = smooth.oneIn(3);
+    finish(seed, scene, lamps, isLit);
     Random detail(seed ^ 0x64657461u);
     if (detail.oneIn(6)) view.detailThreshold = detail.between(0.2, 5.0);
     view.textures = !detail.oneIn(30);
@@ -733,29 +744,14 @@ Scene tieScene(std::uint64_t seed, int width, int height) {
     Random plans(seed ^ 0x706c616eu);
     if (!plans.oneIn(3)) narrow(plans, scene.world, true);
     Random more(seed ^ 0x6d6f7265u);
-    addKin(more, scene.world);
-    changeMovers(more, scene.world);
-    Random uneven(seed ^ 0x756e6576u);
-    if (uneven.oneIn(3)) addUneven(uneven, scene.world, true);
-    Random sliders(seed ^ 0x736c6964u);
-    if (sliders.oneIn(3)) addSliders(sliders, scene.world, true);
+    addWhatMoves(seed, more, scene.world, 3, true);
     Random slopes(seed ^ 0x736c6f70u);
     if (!slopes.oneIn(3)) incline(slopes, scene.world, true);
     Random ramps(seed ^ 0x72616d70u);
     if (ramps.oneIn(2)) addRamps(ramps, scene.world, true);
     Random lamps(seed ^ 0x6c616d70u);
     const bool isLit = lamps.oneIn(4);
-    Random wedges(seed ^ 0x63757473u);
-    if (isLit && wedges.oneIn(3)) addRamps(wedges, scene.world, false, true);
-    Random variants(seed ^ 0x76617269u);
-    if (variants.oneIn(6)) vary(variants, scene.world);
-    if (isLit) light(lamps, scene.world);
-    Random hung(seed ^ 0x68616e67u);
-    if (isLit && scene.world.portals.empty()) hangInCeiling(hung, scene.world, view);
-    widenSliders(scene.world);
-    stir(seed, scene.world);
-    Random smooth(seed ^ 0x736d6f6fu);
-    view.smooth = smooth.oneIn(3);
+    finish(seed, scene, lamps, isLit);
     return scene;
 }
 

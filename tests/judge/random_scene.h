@@ -1,17 +1,29 @@
 // Random worlds and eyes for the judge, the same for the same seed everywhere.
 #pragma once
 
+#include "base/random.h"
+#include "session/light_presets.h"
 #include "tracer.h"
 #include "world/world.h"
 
 #include <cstdint>
+#include <optional>
+#include <vector>
 
 namespace slicecast::judge {
 
 struct Scene {
     World world;
     View view;
+    // The times of day at which it is drawn, one after another; the last picture is judged. Empty
+    // for the world as it is.
+    std::vector<LightWishes> times = {};
+    // The world as the definition has it after its steps, or at the last of its times; else the
+    // judge sees `world`.
+    std::optional<World> defined = {};
 };
+
+Colour anyColour(Random& random);  // opaque
 
 // Anything goes: all block shapes, eyes at any height, inside blocks, outside the grid, looking far
 // up and down. `width` and `height` are the picture's.
