@@ -235,6 +235,21 @@ TEST(Judge, FullSizePictures) {
     EXPECT_GE(verdict.pixels * kShare, 10'000'000);
 }
 
+TEST(Judge, PicturesAtOtherTimesOfDay) {
+    const Verdict verdict = judgeAll(timesScene, 1, 40 / kShare, kOddSizes);
+    report("pictures at other times of day", verdict);
+    expectWithinBounds(verdict);
+    expectSeen(verdict, {{"lit side", 10000},
+                         {"lit floor", 10000},
+                         {"lit roof", 3000},
+                         {"haze", 2000},
+                         {"sky gradient", 20000},
+                         {"star", 50},
+                         {"sun", 300},
+                         {"moon", 50},
+                         {"cloud", 2000}});
+}
+
 // Many rays meet borders and edges exactly here, where either side may be right by the tracer's
 // neighbours; these count apart.
 TEST(Judge, PicturesMadeToTie) {

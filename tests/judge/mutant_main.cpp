@@ -6,6 +6,7 @@
 // Prints the kind and the seed of the picture that shows the fault. Exit status 0 if the judge
 // notices a fault, or with "sound" if it notices none.
 #include "suite.h"
+#include "works.h"
 
 #include <algorithm>
 #include <cstdio>
@@ -38,6 +39,8 @@ constexpr Kind kKinds[] = {{"random", randomScene, kSmallSizes, 1000, kBatch, tr
                            {"along", alongBorderScene, kOddSizes, 1, kBatch / 4, false},
                            {"large", largeTextureScene, kSmallSizes, 121, kBatch / 10, false},
                            {"crowd", crowdedScene, kCrowdSizes, 1, kBatch / 10, false},
+                           {"times", timesScene, kSmallSizes, 1, kBatch / 4, true},
+                           {"works", worksScene, kSmallSizes, 1, kBatch / 4, true},
                            {"tie", tieScene, kSmallSizes, 2601, kBatch, false}};
 
 struct Search {

@@ -3,6 +3,7 @@
 
 #include "draw.h"
 #include "random_scene.h"
+#include "times_of_day.h"
 #include "verdict.h"
 
 #include <array>
@@ -35,11 +36,13 @@ using MakeScene = Scene (*)(std::uint64_t seed, int width, int height);
 template <typename Sizes>
 Verdict judgeOne(Renderer& renderer, MakeScene make, std::uint64_t seed, const Sizes& sizes) {
     const Size size = sizes[seed % sizes.size()];
-    const Scene scene = make(seed, size.width, size.height);
+    Scene scene = make(seed, size.width, size.height);
     const std::string name = "seed " + std::to_string(seed);
-    const Image image = draw(renderer, scene.world, scene.view);
-    if (!image.empty())
-        return judge(scene.world, scene.view, image.pixels.data(), image.width, name);
+    const Image image = drawTimes(renderer, scene);
+    if (!image.empty()) {
+        const World& defined = scene.defined ? *scene.defined : scene.world;
+        return judge(defined, scene.view, image.pixels.data(), image.width, name);
+    }
     Verdict refused;
     refused.unexcused = 1;
     refused.complaints = {name + ": the renderer refused to draw"};
