@@ -18,7 +18,7 @@ import { hasParsed, whenParsed } from './parsing.js';
 import { findScene, noScene, tourAddress } from './source.js';
 import { Warnings } from './warnings.js';
 
-const kIdleMilliseconds = 400; // hidden pages draw no picture to wait for
+const kIdleMilliseconds = 5000; // without a slice of the first picture: then none comes
 
 export class Loading {
   wanted = null; // the attributes' values, once read
@@ -173,12 +173,17 @@ export class Loading {
       this.#isReady = false;
       this.#actions.loaded();
       this.#apply();
+      const waiting = new AbortController();
       const picture = new Promise((resolve) => {
         this.#pictureCame = resolve;
         this.pictureGoesOn();
+        // Hidden pages draw no picture to wait for.
+        if (document.hidden) resolve();
+        document.addEventListener('visibilitychange', resolve, { signal: waiting.signal });
       });
       this.#game.begin();
       await picture;
+      waiting.abort();
       clearTimeout(this.#idle);
       if (isStale()) return;
       await this.#game.complete();

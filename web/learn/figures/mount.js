@@ -110,7 +110,9 @@ class LiveFigure {
     const scene = await this.#makePictures();
     this.#loadWhenNear();
     await this.#loadPainting();
-    await isReady(this.#main.caster);
+    // All pictures come to life together: a divider must not show one side before the other.
+    const casters = [this.#main, ...this.#pictures].map(({ caster }) => caster);
+    await Promise.all(casters.filter((caster) => caster !== null).map(isReady));
     this.#source = elementSource(this.#main.caster, {
       scene,
       size: sizeOf(figure),
