@@ -77,7 +77,10 @@ test('a scene that takes long is loaded in slices', async () => {
     shares.toSorted((a, b) => a - b),
   );
   assert.equal(shares.at(-1), 1);
-  await assert.rejects(load('castle', { onProgress: 1 }), /^TypeError: onProgress: found 1, expected/);
+  await assert.rejects(
+    load('castle', { onProgress: 1 }),
+    /^TypeError: onProgress: found 1, expected/,
+  );
 });
 
 test("a scene's module is the scene, and a URL names a picture anywhere", async (t) => {

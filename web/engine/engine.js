@@ -498,8 +498,7 @@ class SceneLoading {
       });
       await this.#pauses.mayCome();
       if (isOver || !this.#isWanted()) return;
-      if (bytes !== null)
-        supplyFile(this.#module, this.#session, name, bytes, source.pictures);
+      if (bytes !== null) supplyFile(this.#module, this.#session, name, bytes, source.pictures);
       shares[index] = 1;
       report();
     };

@@ -39,9 +39,9 @@ export class SceneError extends Error {
   }
 }
 
-// `engine` is 'auto', 'simd' or 'scalar'. `onProgress(share)` is told how far loading is, from 0 to 1;
-// in between, other work goes on. A scene object names its files relative to the folder
-// `base` (or the folder of the file `base`); without it, relative to the shipped scenes.
+// `engine` is 'auto', 'simd' or 'scalar'. `onProgress(share)` is told how far loading is, from 0 to
+// 1; in between, other work goes on. A scene object names its files relative to the folder `base`
+// (or the folder of the file `base`); without it, relative to the shipped scenes.
 export async function load(scene, options = {}) {
   const { engine: kind = 'auto', base, onProgress = () => {} } = readOptions(options);
   let engine = null;
