@@ -74,9 +74,10 @@ void placeGates(Reading& reading) {
     const std::vector<PlacingFault> more = makeGates(reading.description.world);
     faults.insert(faults.end(), more.begin(), more.end());
     for (const PlacingFault& fault : faults) addFault(reading, fault);
-    // The blocks around the start are unknown then.
-    if (!faults.empty()) reading.areBlueprintsSound = false;
-    if (!faults.empty()) return;
+    if (!faults.empty()) {
+        reading.areBlueprintsSound = false;  // the blocks around the start are unknown
+        return;
+    }
     checkGateFrames(reading);
     warnOfMissingGates(reading);
 }

@@ -125,7 +125,7 @@ struct Reading {
     std::vector<LampId> lampOrder = {};   // the world's kinds of lamp, sorted by what they are
 
     Legend legend{kEmptyCell, kEmptyCell};  // of all maps
-    FoundValue mapList = {};
+    FoundValue mapList = {};                // "maps", once they are sound
     std::optional<MoverMaker> movers = {};
     std::shared_ptr<Placing> placing = {};  // see place_objects.cpp
 

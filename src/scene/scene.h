@@ -52,8 +52,8 @@ struct ParsedScene {
 
 inline constexpr double kShareOfParsing = 0.2;  // of the progress of loading
 
-// Of a text of 200 KB, each call of next() takes less than 12 ms on a machine that draws a simple
-// picture in one; of longer texts it may take longer.
+// Of a text of 200 KB, each call of next() takes at most as long as some 12 simple pictures: see
+// tests/worst/bounds.cpp. Of longer texts it may take longer.
 class SceneParser {
 public:
     // The text must outlive this.
