@@ -137,6 +137,12 @@ export async function play(page) {
   await inState(page, 'playing');
 }
 
+// At one size, for pictures that are compared: with "auto" a busy machine draws smaller ones.
+export async function playAtOneSize(page) {
+  await page.evaluate(() => (window.slicecast.size = '640x360'));
+  await play(page);
+}
+
 export function player(page) {
   return page.evaluate(() => window.slicecast.player);
 }

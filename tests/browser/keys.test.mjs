@@ -9,6 +9,7 @@ import {
   openScene,
   pictureHash,
   play,
+  playAtOneSize,
   player,
   untilPlayer,
   withWindows,
@@ -39,7 +40,7 @@ const focused = (page) => page.evaluate(() => document.activeElement.id);
 
 test('walking, stepping aside and turning move the player and change the picture', async (t) => {
   const { page } = await openScene(t, browser);
-  await play(page);
+  await playAtOneSize(page);
   const startPicture = await pictureHash(page);
   const moves = [
     ['KeyW', (now, before) => now.x > before.x + 0.3],

@@ -423,7 +423,7 @@ test('A program that comes while the engine loads waits, too', async (t) => {
     location.hash = `#program=${await window.codeOf(program)}`;
   }, kDraw('picture.pixels.fill(77);'));
   await page.locator('.write-note:visible').waitFor();
-  go();
+  await afterRun(page, go); // ours, for which Run was pressed
   await page.evaluate(() => window.panel.ready);
   await page.evaluate(() => window.panel.run());
   await page.waitForTimeout(500);

@@ -2,7 +2,15 @@
 
 import assert from 'node:assert/strict';
 import { after, before, test } from 'node:test';
-import { frames, launch, openScene, pictureHash, play, player, untilPlayer } from './browser.mjs';
+import {
+  frames,
+  launch,
+  openScene,
+  pictureHash,
+  playAtOneSize,
+  player,
+  untilPlayer,
+} from './browser.mjs';
 import { roomScene } from './room.mjs';
 
 let browser;
@@ -23,7 +31,7 @@ async function untilOption(page, name, value) {
 
 test('each overlay has a key that shows and hides it', async (t) => {
   const { page } = await openScene(t, browser);
-  await play(page);
+  await playAtOneSize(page);
   await frames(page);
   const plain = await pictureHash(page);
   for (const [key, name] of [
@@ -56,7 +64,7 @@ test('each overlay has a key that shows and hides it', async (t) => {
 
 test("F1 to F4 are the game's, not the browser's", async (t) => {
   const { page, context } = await openScene(t, browser);
-  await play(page);
+  await playAtOneSize(page);
   const { width } = await page.evaluate(() => ({
     width: window.slicecast.shadowRoot.querySelector('canvas').width,
   }));
@@ -74,7 +82,7 @@ test("F1 to F4 are the game's, not the browser's", async (t) => {
 
 test('T prints the hits of the inspected slice to the console', async (t) => {
   const { page } = await openScene(t, browser);
-  await play(page);
+  await playAtOneSize(page);
   const told = page.waitForEvent('console', (message) => message.text().startsWith('slice '));
   await page.keyboard.press('KeyT');
   const { hits, column, map } = await (await told).args()[2].jsonValue();
@@ -95,7 +103,7 @@ test('the number row goes to maps, L cycles through the times of day', async (t)
   const { page } = await openScene(t, browser, {
     server: { files: { 'scenes/room.json': JSON.stringify(scene) } },
   });
-  await play(page);
+  await playAtOneSize(page);
   await page.keyboard.press('Digit1');
   await untilPlayer(page, (now) => now.mapName === 'second room');
   await page.keyboard.press('Digit5');

@@ -116,7 +116,7 @@ TEST(MovingWorlds, AreWhereTheDefinitionSays) {
     EXPECT_GT(seen.heard, kWorlds * 5);
     EXPECT_GT(seen.led, kWorlds * 2);
     EXPECT_GT(seen.waiting, kWorlds * 5);
-    EXPECT_GT(seen.gatesHeld, kWorlds * 2);
+    EXPECT_GT(seen.gatesHeld, kWorlds);
     EXPECT_GT(seen.doorsHeld, kWorlds * 2);
     EXPECT_GT(seen.ended * 2, kWorlds);
 }

@@ -38,6 +38,10 @@ if(warnings AND CMAKE_CXX_COMPILER_ID STREQUAL GNU AND CMAKE_CXX_COMPILER_VERSIO
   # g++ 12 at -O3 takes "text" + std::string for a copy onto itself (its bug 105651).
   target_compile_options(slicecast_flags INTERFACE -Wno-restrict)
 endif()
+if(warnings AND CMAKE_CXX_COMPILER_ID STREQUAL GNU AND CMAKE_UNITY_BUILD)
+  # In a unity build the .cpp files are included, and g++ takes a struct of one for that of a header.
+  target_compile_options(slicecast_flags INTERFACE -Wno-subobject-linkage)
+endif()
 if(SLICECAST_MARCH AND CMAKE_SYSTEM_PROCESSOR MATCHES "^(x86_64|AMD64)$")
   target_compile_options(slicecast_flags INTERFACE -march=${SLICECAST_MARCH})
   if(CMAKE_CXX_COMPILER_ID STREQUAL GNU)
