@@ -77,7 +77,7 @@ int readGate(Reading& reading, JsonValue value) {
         kind.keyed = fields->flag("keyed", !followed);
         kind.opensOnApproach = static_cast<bool>(fields->find("approach"));
         kind.approach = toCoordinate(fields->number("approach", kGateReach, 0.0));
-        kind.holdSteps = stepsOf(fields->number("hold", kHold, 1.0));
+        kind.holdSteps = std::max(1, stepsOf(fields->number("hold", kHold, 1.0)));
         if (fields->find("every")) kind.everySteps = stepsOf(fields->number("every", kEvery, 1.0));
         kind.once = fields->flag("once", false);
         kind.startsOpen = fields->flag("open", false);

@@ -45,7 +45,7 @@ struct GateKind {
     bool keyed = true;  // keys within reach open and close it
     bool opensOnApproach = false;
     Coordinate approach = {};  // a body that comes this close opens it
-    int holdSteps = 120;       // it closes after nobody has been that close for this long
+    int holdSteps = 120;       // it closes after nobody has been that close for this long, > 0
     int everySteps = 0;        // it also opens by itself so often; 0 for never
     bool once = false;         // it never closes again
     bool startsOpen = false;

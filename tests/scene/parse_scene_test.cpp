@@ -547,6 +547,16 @@ TEST(ParseScene, NeedsNoBlueprints) {
     EXPECT_EQ(world.maps[0].width, 3);
 }
 
+TEST(ParseScene, AGateThatHoldsForNoTimeStaysOpenForOneStep) {
+    const World world = load(
+        replaced(smallScene(), R"("blueprints": { "wall": { "faces": "brick" } })",
+                 R"("motions": { "down": { "moves": "top", "to": -0.5 } },
+                    "blueprints": { "wall": { "faces": "brick", "motion": "down",
+                        "gate": { "keyed": false, "every": 1, "hold": 0 } } })"));
+    ASSERT_EQ(world.gateKinds.size(), 1u);
+    EXPECT_EQ(world.gateKinds[0].holdSteps, 1);
+}
+
 TEST(ParseScene, StartsCrouchedWhereThereIsNoRoomToStand) {
     const std::string low = R"("ceiling": { "height": 0.5, "texture": "brick" })";
     EXPECT_EQ(

@@ -42,7 +42,7 @@ GateKind randomKind(Random& random) {
     kind.reach = toCoordinate(random.between(0.5, 4.0));
     kind.opensOnApproach = random.oneIn(2);
     kind.approach = toCoordinate(random.between(0.1, 2.0));
-    kind.holdSteps = random.between(0, 60);
+    kind.holdSteps = random.between(1, 60);
     kind.startsOpen = random.oneIn(3);
     return kind;
 }
