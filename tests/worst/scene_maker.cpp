@@ -174,28 +174,38 @@ const SceneMaker::Json* SceneMaker::memberSchema(const Json& object, const Json&
     return others != nullptr && others->IsObject() ? others : nullptr;
 }
 
-// Numbers all keys that a scene may have, and returns how many stand within the schema.
-int SceneMaker::addKeys(const Json& schema, const std::string& name) {
-    if (const auto known = weights_.find(&schema); known != weights_.end()) return known->second;
-    int sum = 1;
+// Names all keys that a scene may have, and finds those that stand within the schema.
+const std::vector<const SceneMaker::Json*>& SceneMaker::addKeys(const Json& schema,
+                                                                const std::string& name) {
+    if (const auto known = within_.find(&schema); known != within_.end()) return known->second;
+    std::vector<const Json*> within;
+    const auto add = [&](const Json& inner, const std::string& innerName) {
+        const std::vector<const Json*>& keys = addKeys(inner, innerName);
+        within.insert(within.end(), keys.begin(), keys.end());
+    };
     for (const Way& way : waysOf(schema)) {
         if (const Json* const known = member(*way.schema, "properties"))
             for (const auto& each : known->GetObject()) {
                 std::string keyName = name.empty() ? "" : name + ".";
                 keyName += each.name.GetString();
                 keys_.try_emplace(&each.value, Key{keyName, 0});
-                sum += addKeys(each.value, keyName);
+                within.push_back(&each.value);
+                add(each.value, keyName);
             }
         for (const char* const part : {"additionalProperties", "items"})
             if (const Json* const inner = member(*way.schema, part))
-                if (inner->IsObject()) sum += addKeys(*inner, name);
+                if (inner->IsObject()) add(*inner, name);
     }
-    return weights_[&schema] = sum;
+    return within_[&schema] = std::move(within);
 }
 
 int SceneMaker::weightOf(const Json& schema) const {
-    const auto known = weights_.find(&schema);
-    return known == weights_.end() ? 1 : known->second;
+    constexpr int kOfOneNeverMet = 20;
+    int weight = 1;
+    if (const auto known = within_.find(&schema); known != within_.end())
+        for (const Json* const key : known->second)
+            weight += keys_.at(key).met == 0 ? kOfOneNeverMet : 1;
+    return weight;
 }
 
 void SceneMaker::count(const std::string& text) {
@@ -301,7 +311,8 @@ private:
         }
     }
 
-    // A member by chance; those within which more keys may stand come more often.
+    // A member by chance; those within which more keys may stand, or keys that were never met, come
+    // more often.
     Json* heavyMember(Json& object, const Json& schema) {
         int sum = 0;
         Json* chosen = nullptr;

@@ -78,15 +78,15 @@ private:
     Way wayOf(const Json& value, const Json& schema, const std::string& about = "") const;
     // Of a member, null if the schema has none such.
     const Json* memberSchema(const Json& object, const Json& member) const;
-    int addKeys(const Json& schema, const std::string& name);
+    const std::vector<const Json*>& addKeys(const Json& schema, const std::string& name);
     int weightOf(const Json& schema) const;
     void countIn(const Json& value, const Json& schema);
 
     rapidjson::Document schema_;
     ScenePictures pictures_;
     int widest_;
-    std::map<const Json*, Key> keys_;             // by their schemas
-    mutable std::map<const Json*, int> weights_;  // how many keys stand within
+    std::map<const Json*, Key> keys_;                          // by their schemas
+    std::map<const Json*, std::vector<const Json*>> within_;  // keys that stand within a schema
 };
 
 }  // namespace slicecast

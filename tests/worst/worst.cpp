@@ -8,8 +8,9 @@
 //     step        5
 //     memory    64 MB for drawing and stepping, beyond what the session holds after loading
 //
-// Prints the worst of each. A scene that is over a limit is written to a file, and fails the
-// search. So does a key of the schema that was in no scene that loads, in a long search.
+// Prints the worst of each. A scene that is over a limit is written to a file, and fails the search
+// if it is so by more than a busy machine explains. In a long search, so does a key of the schema
+// that was in no scene that loads.
 //
 //     slicecast-worst SCENES ASSETS SCHEMA [SEED]
 //
@@ -333,7 +334,7 @@ private:
 
     bool isWorseThanAll(const Shares& shares) const {
         for (std::size_t kind = 0; kind < worst_.size(); ++kind)
-            if (shares.of[kind] > kSlack &&
+            if (shares.of[kind] > 1.0 &&
                 (worst_[kind].empty() || shares.of[kind] > worst_[kind][0].shares.of[kind]))
                 return true;
         return false;
@@ -345,7 +346,7 @@ private:
             return next.shares.of[kind] > other.shares.of[kind];
         });
         if (place == pool.end() && pool.size() >= kPool) return;
-        if (place == pool.begin() && next.shares.of[kind] > kSlack) {
+        if (place == pool.begin() && next.shares.of[kind] > 1.0) {
             const std::string file = std::string("worst-") + kNames[kind] + ".json";
             std::ofstream(file, std::ios::binary) << next.text;
             std::printf("%s: %s\n", file.c_str(), next.shares.text().c_str());

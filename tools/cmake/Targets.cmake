@@ -19,6 +19,25 @@ function(slicecastPart name)
   endif()
 endfunction()
 
+# slicecastTuned(PART GROUP OPTIONS OPTION... FILES FILE...): compiles these files of a part, as one,
+# with further options.
+function(slicecastTuned part group)
+  cmake_parse_arguments(tuned "" "" "OPTIONS;FILES" ${ARGN})
+  list(TRANSFORM tuned_FILES PREPEND ${PROJECT_SOURCE_DIR}/src/${part}/)
+  file(GLOB files CONFIGURE_DEPENDS ${tuned_FILES})
+  get_target_property(rest slicecast_${part} SOURCES)
+  list(REMOVE_ITEM rest ${files})
+  set_target_properties(slicecast_${part} PROPERTIES SOURCES "${rest}")
+  set(target slicecast_${part}_${group})
+  add_library(${target} OBJECT ${files})
+  get_target_property(uses slicecast_${part} LINK_LIBRARIES)
+  target_include_directories(${target} BEFORE PRIVATE ${PROJECT_SOURCE_DIR}/src ${PROJECT_SOURCE_DIR}/src/include)
+  target_link_libraries(${target} PRIVATE ${uses})
+  target_compile_options(${target} PRIVATE ${tuned_OPTIONS})
+  set_target_properties(${target} PROPERTIES UNITY_BUILD ON UNITY_BUILD_BATCH_SIZE 0)
+  target_sources(slicecast_${part} PRIVATE $<TARGET_OBJECTS:${target}>)
+endfunction()
+
 # slicecastProgram(NAME SOURCES FILE... WITH LIBRARY...): a program for the command line. In a
 # WebAssembly build it becomes NAME.js, which Node runs and which reads the machine's own files.
 function(slicecastProgram name)
