@@ -372,10 +372,11 @@ bool App::draw(double nowSeconds) {
         stale_ = true;
         return false;
     }
-    if (!std::exchange(beginning_, {}) && !game_->draw(picture, fraction, kLightOfPicture))
-        return false;
+    const bool isFirst = std::exchange(beginning_, {}).has_value();
+    if (!isFirst && !game_->draw(picture, fraction, kLightOfPicture)) return false;
     stale_ = game_->report().lateLight > 0;
-    if (game_->report().unlit > 0 && ++unlitPictures_ < kMostUnlitPictures) return false;
+    if (!isFirst && game_->report().unlit > 0 && ++unlitPictures_ < kMostUnlitPictures)
+        return false;
     unlitPictures_ = 0;
     const double end = shell_.nowSeconds();
     shell_.show(*surface_);
