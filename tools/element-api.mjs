@@ -23,7 +23,8 @@ const folder = resolve(process.argv[2]);
 const inFolder = (name) => pathToFileURL(join(folder, name)).href;
 
 const { errorCodes } = await import(inFolder('element/faults.js'));
-const { load } = await import(inFolder('node/index.js'));
+const { Engine } = await import(inFolder('engine/engine.js'));
+const { readEngine } = await import(inFolder('node/engine-files.js'));
 
 const defined = Object.keys(errorCodes).sort().join(' ');
 const listed = [...table.errorCodes].sort().join(' ');
@@ -32,7 +33,7 @@ if (defined !== listed)
     `web/element/api.json lists the error codes ${listed}; web/element/faults.js has ${defined}`,
   );
 
-const scene = await load('first-walk', { engine: 'scalar' });
+const engine = await Engine.create({ files: await readEngine('auto') });
 const version = readFileSync(join(root, 'CMakeLists.txt'), 'utf8').match(
   /project\(Slicecast VERSION ([0-9.]+)/,
 )[1];
@@ -48,12 +49,12 @@ const files = {
   'element.html': documentation({
     errorCodes,
     version,
-    options: scene.optionList,
+    options: engine.options,
     scenes: JSON.parse(readFileSync(join(folder, 'scenes/index.json'), 'utf8')),
   }),
   'package.json': json(manifest),
 };
-scene.free();
+engine.stop();
 for (const [name, text] of Object.entries(files)) {
   mkdirSync(dirname(join(folder, name)), { recursive: true });
   writeFileSync(join(folder, name), text);

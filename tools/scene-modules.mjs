@@ -22,9 +22,13 @@ const scenes = resolve(folder, 'scenes');
 
 for (const { file, title, tour } of JSON.parse(readFileSync(join(scenes, 'index.json'), 'utf8'))) {
   const name = file.replace(/\.json$/, '');
-  const { script, types } = moduleOf(name, title, tour === true);
-  writeFileSync(join(scenes, `${name}.js`), script);
-  writeFileSync(join(scenes, `${name}.d.ts`), types);
+  try {
+    const { script, types } = moduleOf(name, title, tour === true);
+    writeFileSync(join(scenes, `${name}.js`), script);
+    writeFileSync(join(scenes, `${name}.d.ts`), types);
+  } catch (error) {
+    console.error(`${file}: ${error.message}; there is no module of it.`);
+  }
 }
 
 function moduleOf(name, title, hasTour) {

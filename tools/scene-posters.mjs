@@ -22,7 +22,13 @@ await mkdir(posters, { recursive: true });
 const index = path.join(folder, 'scenes/index.json');
 const list = JSON.parse(await readFile(index, 'utf8'));
 for (const entry of list) {
-  const scene = await load(path.join(folder, 'scenes', entry.file));
+  let scene;
+  try {
+    scene = await load(path.join(folder, 'scenes', entry.file));
+  } catch (error) {
+    console.error(`${error.message}\nThe menu has no picture of ${entry.file}.`);
+    continue;
+  }
   const png = encode({ ...scene.pixels(kSize), channels: 4, depth: 8 });
   const name = entry.file.replace(/\.json$/, '.png');
   await writeFile(path.join(posters, name), png);

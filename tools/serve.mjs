@@ -1,10 +1,14 @@
 // Serves the page in build/web on this machine, and a scene that somebody is working on.
 //
-//     node tools/serve.mjs [--folder FOLDER] [--scene SCENE.json] [--port N] [--host NAME]...
+//     node tools/serve.mjs [--folder FOLDER] [--rest COMMAND] [--scene SCENE.json] [--port N]
+//                          [--host NAME]... [--lan]
 //
-// It answers only requests from this machine, and only if they use a host name of this machine or
-// of --host. Otherwise a stranger's page whose name resolves to this machine could read the files
-// (DNS rebinding).
+// COMMAND builds what is missing in the folder, while the rest is served. Meanwhile a page that is
+// not there yet is one that says so and looks again; any other file comes when it is built.
+//
+// It answers only requests from this machine, with --lan also those of others in its network, and
+// only if they use a host name or an address of this machine or a name of --host. Otherwise a
+// stranger's page whose name resolves to this machine could read the files (DNS rebinding).
 //
 //     /...                   the page
 //     /-/scene/NAME.json     the scene, read again for each request
@@ -16,6 +20,7 @@ import { spawn } from 'node:child_process';
 import { createReadStream, watch } from 'node:fs';
 import { access, constants, readFile, realpath, stat } from 'node:fs/promises';
 import { createServer } from 'node:http';
+import { networkInterfaces } from 'node:os';
 import path from 'node:path';
 import process from 'node:process';
 import { fileURLToPath } from 'node:url';
@@ -199,10 +204,61 @@ function serveEvents(scene, request, response) {
   });
 }
 
-function listen(server, port) {
+// What a command builds while the server runs. `isBuilding` until it ends; `done` then gives its
+// output if it failed, else ''.
+class Rest {
+  constructor(command) {
+    this.isBuilding = true;
+    this.child = spawn('nice', [command], { stdio: ['ignore', 'pipe', 'pipe'] });
+    let output = '';
+    for (const stream of [this.child.stdout, this.child.stderr])
+      stream.setEncoding('utf8').on('data', (text) => (output += text));
+    this.done = new Promise((resolve) => {
+      this.child.on('error', (error) => resolve(error.message));
+      this.child.on('close', (status) => resolve(status === 0 ? '' : output.trim()));
+    });
+    this.done.then(() => (this.isBuilding = false));
+  }
+
+  stop() {
+    this.child.kill();
+  }
+}
+
+const kLooksAgain = 2; // seconds
+
+function refuseYet(response) {
+  response.writeHead(503, {
+    'Content-Type': 'text/html; charset=utf-8',
+    'Cache-Control': 'no-store',
+    'Retry-After': kLooksAgain,
+  });
+  response.end(`<!doctype html>
+<html lang="en">
+<meta charset="utf-8">
+<meta http-equiv="refresh" content="${kLooksAgain}">
+<meta name="viewport" content="width=device-width">
+<meta name="color-scheme" content="light dark">
+<title>Being built</title>
+<body style="font: 1.1rem/1.5 system-ui, sans-serif; max-width: 36rem; margin: 20vh auto; padding: 0 1rem">
+<h1 style="font-size: 1.5rem">This page is being built</h1>
+<p>It appears here by itself, within a minute or two. The scenes can be <a href="/">played</a> already.
+</html>
+`);
+}
+
+// The addresses by which others in the network reach this machine, as in a Host header.
+function ownAddresses() {
+  return Object.values(networkInterfaces())
+    .flat()
+    .filter(({ internal, address }) => !internal && !address.startsWith('fe80'))
+    .map(({ family, address }) => (family === 'IPv6' ? `[${address}]` : address));
+}
+
+function listen(server, port, host) {
   return new Promise((resolve, reject) => {
     server.once('error', reject);
-    server.listen(port, '127.0.0.1', () => {
+    server.listen(port, host, () => {
       server.off('error', reject);
       resolve();
     });
@@ -210,11 +266,22 @@ function listen(server, port) {
 }
 
 // Starts the server. Without `port` it takes the first free one; `hosts` are names besides those of
-// this machine. Returns the page's address and a function that stops the server.
-export async function startServer({ folder, scene: sceneFile, port, hosts = [] }) {
-  const known = [...kHosts, ...hosts.map((host) => host.toLowerCase())];
+// this machine, with `lan` others in the network are served, too, `rest` is a command that builds
+// what is missing. Returns the page's address, those for others in the network, a function that
+// stops the server, and `built`, a promise of the command's output if it failed, else of ''.
+export async function startServer({
+  folder,
+  scene: sceneFile,
+  port,
+  hosts = [],
+  lan = false,
+  rest: command,
+}) {
+  const others = lan ? ownAddresses() : [];
+  const known = [...kHosts, ...others, ...hosts.map((host) => host.toLowerCase())];
   const scene = sceneFile === undefined ? null : new WatchedScene(sceneFile);
   await scene?.start();
+  let rest = null;
 
   const page = sirv(folder, {
     dev: true, // the folder may be replaced while the server runs
@@ -251,7 +318,12 @@ export async function startServer({ folder, scene: sceneFile, port, hosts = [] }
       return serveSceneFile(scene, urlPath.slice(3), response);
     }
     const missing = () => refuse(response, 404, 'There is no such file.');
-    const name = await pagePath(folder, urlPath);
+    let name = await pagePath(folder, urlPath);
+    if (name === null && rest?.isBuilding) {
+      if (/text\/html/.test(request.headers.accept ?? '')) return refuseYet(response);
+      await rest.done;
+      name = await pagePath(folder, urlPath);
+    }
     if (name === null) return missing();
     request.url = `/${name.split('/').map(encodeURIComponent).join('/')}`;
     // Every file is sent whole: sirv misreads ranges such as bytes=-5, and fails at bytes=9-1.
@@ -273,7 +345,7 @@ export async function startServer({ folder, scene: sceneFile, port, hosts = [] }
   let at = port ?? kFirstPort;
   for (;;) {
     try {
-      await listen(server, at);
+      await listen(server, at, lan ? undefined : '127.0.0.1');
       break;
     } catch (error) {
       const next =
@@ -285,10 +357,15 @@ export async function startServer({ folder, scene: sceneFile, port, hosts = [] }
       ++at;
     }
   }
+  if (command !== undefined) rest = new Rest(command);
+  const addressAt = (host) => `http://${host}:${server.address().port}/${scene?.address ?? ''}`;
   return {
-    address: `http://localhost:${server.address().port}/${scene?.address ?? ''}`,
+    built: rest?.done ?? Promise.resolve(''),
+    address: addressAt('localhost'),
+    others: others.map(addressAt),
     close() {
       scene?.stop();
+      rest?.stop();
       server.close();
       server.closeAllConnections?.();
     },
@@ -310,22 +387,32 @@ async function main() {
   const { values } = parseArgs({
     options: {
       folder: { type: 'string' },
+      rest: { type: 'string' },
       scene: { type: 'string' },
       port: { type: 'string' },
       host: { type: 'string', multiple: true },
+      lan: { type: 'boolean' },
     },
   });
   const folder = values.folder ?? fileURLToPath(new URL('../build/web', import.meta.url));
   const port = values.port === undefined ? undefined : Number(values.port);
   await access(folder, constants.R_OK);
-  const server = await startServer({ folder, scene: values.scene, port, hosts: values.host });
+  const { scene, rest, lan, host: hosts } = values;
+  const server = await startServer({ folder, scene, port, hosts, lan, rest });
+  server.built.then((failure) => {
+    if (failure !== '')
+      console.error(`The documentation and the tutorial cannot be built:\n${failure}`);
+  });
   const end = () => {
     server.close();
     process.exit(0);
   };
   process.on('SIGINT', end);
   process.on('SIGTERM', end);
-  console.log(`Slicecast is at ${server.address}\nStop it with Ctrl-C.`);
+  console.log(`Slicecast is at ${server.address}`);
+  for (const address of server.others) console.log(`and for others in your network at ${address}`);
+  if (lan) console.log('Everybody in this network can see the page, your scene and its pictures.');
+  console.log('Stop it with Ctrl-C.');
   openInBrowser(server.address);
 }
 

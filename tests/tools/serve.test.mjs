@@ -3,7 +3,7 @@
 
 import assert from 'node:assert/strict';
 import { renameSync, writeFileSync } from 'node:fs';
-import { mkdir, mkdtemp, readdir, rm, symlink, writeFile } from 'node:fs/promises';
+import { chmod, mkdir, mkdtemp, readdir, rm, symlink, writeFile } from 'node:fs/promises';
 import http from 'node:http';
 import { tmpdir } from 'node:os';
 import path from 'node:path';
@@ -256,4 +256,73 @@ test('without a scene there are no events', async () => {
   assert.equal((await get('/-/events')).status, 404);
   origin = saved;
   plain.close();
+});
+
+test('others in the network are served only if asked for, by an address of this machine', async (t) => {
+  const ask = (host, port) =>
+    new Promise((resolve) => {
+      const place = { host, port, path: '/', agent: false };
+      const request = http.get(place, ({ statusCode }) => resolve(statusCode));
+      request.on('error', () => resolve(0));
+    });
+  const open = await startServer({ folder: path.join(root, 'page'), lan: true });
+  t.after(() => open.close());
+  const placeOf = (address) => {
+    const { hostname, port } = new URL(address);
+    return { hostname: hostname.replace(/[[\]]/g, ''), port };
+  };
+  for (const address of [open.address, ...open.others]) {
+    const { hostname, port } = placeOf(address);
+    assert.equal(await ask(hostname, port), 200, address);
+    const { status } = await get('/', { hostname, port, headers: { host: 'stranger.example' } });
+    assert.equal(status, 403);
+  }
+  for (const address of open.others) {
+    assert.equal(await ask(placeOf(address).hostname, new URL(origin).port), 0, address);
+  }
+});
+
+// A server whose command waits for the file `go`, and then does the rest of the script.
+async function withRest(t, script, ask) {
+  const folder = await mkdtemp(path.join(root, 'rest-'));
+  const command = path.join(folder, 'build');
+  const wait = 'while [ ! -f go ]; do sleep 0.02; done';
+  await writeFile(command, `#!/bin/sh\ncd '${folder}'\n${wait}\n${script}\n`);
+  await chmod(command, 0o755);
+  const page = path.join(folder, 'page');
+  await mkdir(page);
+  const building = await startServer({ folder: page, rest: command });
+  const saved = origin;
+  origin = new URL(building.address).origin;
+  t.after(() => {
+    origin = saved;
+    building.close();
+  });
+  await ask(() => writeFile(path.join(folder, 'go'), ''), building);
+}
+const html = { headers: { accept: 'text/html,*/*' } };
+
+test('a page that is not built yet says so and looks again; files come when they are built', async (t) => {
+  const script = 'mkdir page/docs; echo docs >page/docs/index.html; echo program >page/x.wasm';
+  await withRest(t, script, async (go) => {
+    const early = await get('/docs/', html);
+    assert.equal(early.status, 503);
+    assert.match(early.body, /http-equiv="refresh"[^]*being built/);
+    const program = get('/x.wasm');
+    const nothing = get('/nothing.png');
+    await go();
+    assert.equal((await program).body, 'program\n');
+    assert.equal((await nothing).status, 404);
+    assert.equal((await get('/docs/', html)).body, 'docs\n');
+    assert.equal((await get('/nowhere/', html)).status, 404);
+  });
+});
+
+test('what could not be built is missing, and the output says why', async (t) => {
+  await withRest(t, 'echo no paper >&2; exit 1', async (go, building) => {
+    assert.equal((await get('/docs/', html)).status, 503);
+    await go();
+    assert.equal(await building.built, 'no paper');
+    assert.equal((await get('/docs/', html)).status, 404);
+  });
 });

@@ -14,7 +14,7 @@ export function usesInScenes(folder) {
     return uses.get(name);
   };
   const files = readdirSync(folder).filter((name) => name.endsWith('.json'));
-  for (const scene of files.sort().filter((name) => name !== 'index.json')) {
+  const add = (scene) => {
     const { textures, sprites, maps } = JSON.parse(readFileSync(`${folder}/${scene}`, 'utf8'));
     const named = [textures, sprites].flatMap((each) => Object.values(each ?? {}));
     for (const entry of named) {
@@ -24,6 +24,13 @@ export function usesInScenes(folder) {
     const objects = maps.flatMap((map) => [...(map.objects ?? []), ...(map.sow ?? [])]);
     for (const { sprite, height } of objects)
       usesOf(sprites[sprite]).heights.push(...[height].flat());
+  };
+  for (const scene of files.sort().filter((name) => name !== 'index.json')) {
+    try {
+      add(scene);
+    } catch {
+      // It has faults, which the page tells.
+    }
   }
   for (const { heights } of uses.values()) heights.sort((left, right) => left - right);
   return uses;
