@@ -85,7 +85,7 @@ private:
     rapidjson::Document schema_;
     ScenePictures pictures_;
     int widest_;
-    std::map<const Json*, Key> keys_;                          // by their schemas
+    std::map<const Json*, Key> keys_;                         // by their schemas
     std::map<const Json*, std::vector<const Json*>> within_;  // keys that stand within a schema
 };
 

@@ -59,6 +59,7 @@ public:
         addSowing(text);
         addPortals(text);
         const int middle = side_ / 2;
+        if (genes_[Gene::walkers] > 0) addPatrol(text, middle);
         const double height = std::min<double>(genes_[Gene::eye] / 16.0, levels_);
         text += "}]";
         if (hasPortals_)
@@ -145,6 +146,15 @@ private:
                     number(walkers) +
                     R"(, "height": 0.5, "motion": {"kind": "wander", "speed": 1}})";
         if (!sown.empty()) text += ",\n\"sow\": [" + sown + "]";
+    }
+
+    // Keys of a path are met only where there is one.
+    void addPatrol(std::string& text, int middle) {
+        const std::string y = number(middle + 0.5);
+        const auto point = [&](double x) { return "\"x\": " + number(x) + ", \"y\": " + y; };
+        text += ",\n\"objects\": [{\"sprite\": \"walker\", \"height\": 0.5, " +
+                point(middle + 0.5) + R"(, "motion": {"kind": "patrol", "speed": 1, "path": [{)" +
+                point(middle + 1.5) + "}, {" + point(middle - 0.5) + "}]}}]";
     }
 
     void addPortals(std::string& text) {
