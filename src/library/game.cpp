@@ -5,6 +5,7 @@
 #include "session/session.h"
 #include "session/trace_json.h"
 
+#include <cmath>
 #include <limits>
 #include <utility>
 
@@ -103,6 +104,8 @@ Camera Game::camera() const {
 }
 
 bool Game::setCamera(const Camera& camera) {
+    for (const double place : {camera.x, camera.y, camera.z})
+        if (!(std::abs(place) <= kCoordinateLimit)) return false;  // NaN too
     return state_->session.setEye({.map = camera.map,
                                    .x = toCoordinate(camera.x),
                                    .y = toCoordinate(camera.y),

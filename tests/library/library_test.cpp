@@ -136,9 +136,12 @@ TEST(Library, WalksAndMovesTheCamera) {
     EXPECT_TRUE(game.setCamera({.x = 3.25, .y = 1.0, .z = 0.75, .headingDegrees = -90.0}));
     EXPECT_EQ(game.camera().x, 3.25);
     EXPECT_EQ(game.camera().headingDegrees, 270.0);
+    constexpr double kNan = std::numeric_limits<double>::quiet_NaN();
     for (const Camera& blind :
          {Camera{.map = 1, .z = 1.0}, Camera{.map = -1, .z = 1.0}, Camera{.z = 0.0},
-          Camera{.z = 1.0, .headingDegrees = std::nan("")}, Camera{.z = 1.0, .look = 4.5}}) {
+          Camera{.x = kNan, .z = 1.0}, Camera{.x = 40'000.0, .z = 1.0},
+          Camera{.y = -HUGE_VAL, .z = 1.0}, Camera{.z = kNan}, Camera{.z = 1e9},
+          Camera{.z = 1.0, .headingDegrees = kNan}, Camera{.z = 1.0, .look = 4.5}}) {
         EXPECT_FALSE(game.setCamera(blind));
         EXPECT_EQ(game.camera().x, 3.25);
     }

@@ -548,9 +548,9 @@ TEST(ParseScene, NeedsNoBlueprints) {
 }
 
 TEST(ParseScene, AGateThatHoldsForNoTimeStaysOpenForOneStep) {
-    const World world = load(
-        replaced(smallScene(), R"("blueprints": { "wall": { "faces": "brick" } })",
-                 R"("motions": { "down": { "moves": "top", "to": -0.5 } },
+    const World world =
+        load(replaced(smallScene(), R"("blueprints": { "wall": { "faces": "brick" } })",
+                      R"("motions": { "down": { "moves": "top", "to": -0.5 } },
                     "blueprints": { "wall": { "faces": "brick", "motion": "down",
                         "gate": { "keyed": false, "every": 1, "hold": 0 } } })"));
     ASSERT_EQ(world.gateKinds.size(), 1u);

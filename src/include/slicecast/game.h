@@ -28,9 +28,9 @@ inline constexpr int kStepsEachSecond = 120;
 // The viewpoint of a picture.
 struct Camera {
     int map = 0;     // index in Scene::maps
-    double x = 0.0;  // units; may lie outside the map or inside a block
+    double x = 0.0;  // units, -32767 to 32767; may lie outside the map or inside a block
     double y = 0.0;
-    double z = 0.0;               // height of the eye, > 0
+    double z = 0.0;               // height of the eye, > 0 and at most 32767
     double headingDegrees = 0.0;  // 0 = east, 90 = south; any finite number, returned as [0, 360)
     double look = 0.0;            // how far the horizon lies below the middle, in screen heights;
                                   // -4 to 4, positive looks up
