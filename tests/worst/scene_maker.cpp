@@ -174,38 +174,28 @@ const SceneMaker::Json* SceneMaker::memberSchema(const Json& object, const Json&
     return others != nullptr && others->IsObject() ? others : nullptr;
 }
 
-// Names all keys that a scene may have, and finds those that stand within the schema.
-const std::vector<const SceneMaker::Json*>& SceneMaker::addKeys(const Json& schema,
-                                                                const std::string& name) {
-    if (const auto known = within_.find(&schema); known != within_.end()) return known->second;
-    std::vector<const Json*> within;
-    const auto add = [&](const Json& inner, const std::string& innerName) {
-        const std::vector<const Json*>& keys = addKeys(inner, innerName);
-        within.insert(within.end(), keys.begin(), keys.end());
-    };
+// Numbers all keys that a scene may have, and returns how many stand within the schema.
+int SceneMaker::addKeys(const Json& schema, const std::string& name) {
+    if (const auto known = weights_.find(&schema); known != weights_.end()) return known->second;
+    int sum = 1;
     for (const Way& way : waysOf(schema)) {
         if (const Json* const known = member(*way.schema, "properties"))
             for (const auto& each : known->GetObject()) {
                 std::string keyName = name.empty() ? "" : name + ".";
                 keyName += each.name.GetString();
                 keys_.try_emplace(&each.value, Key{keyName, 0});
-                within.push_back(&each.value);
-                add(each.value, keyName);
+                sum += addKeys(each.value, keyName);
             }
         for (const char* const part : {"additionalProperties", "items"})
             if (const Json* const inner = member(*way.schema, part))
-                if (inner->IsObject()) add(*inner, name);
+                if (inner->IsObject()) sum += addKeys(*inner, name);
     }
-    return within_[&schema] = std::move(within);
+    return weights_[&schema] = sum;
 }
 
 int SceneMaker::weightOf(const Json& schema) const {
-    constexpr int kOfOneNeverMet = 20;
-    int weight = 1;
-    if (const auto known = within_.find(&schema); known != within_.end())
-        for (const Json* const key : known->second)
-            weight += keys_.at(key).met == 0 ? kOfOneNeverMet : 1;
-    return weight;
+    const auto known = weights_.find(&schema);
+    return known == weights_.end() ? 1 : known->second;
 }
 
 void SceneMaker::count(const std::string& text) {
@@ -247,9 +237,50 @@ public:
         collectNames();
     }
 
-    void apply() { change(scene_, maker_.schema_, ""); }
+    void apply() {
+        if (!random_.oneIn(3) || !addNeverMet()) change(scene_, maker_.schema_, "");
+    }
 
 private:
+    // -- Keys that no counted scene had
+
+    // An object that may have such a key, and has none yet.
+    struct Place {
+        Json* object;
+        const Json* name;
+        const Json* schema;
+        std::string about;
+    };
+
+    bool addNeverMet() {
+        std::vector<Place> places;
+        findPlaces(scene_, maker_.schema_, "", places);
+        if (places.empty()) return false;
+        const Place& place =
+            places[static_cast<std::size_t>(random_.below(static_cast<int>(places.size())))];
+        set(*place.object, *place.name, made(*place.schema, place.about));
+        return true;
+    }
+
+    void findPlaces(Json& value, const Json& schema, const std::string& about,
+                    std::vector<Place>& places) {
+        const Way way = maker_.wayOf(value, schema, about);
+        if (way.schema == nullptr) return;
+        if (value.IsObject()) {
+            enter(value);
+            if (const Json* const known = member(*way.schema, "properties"))
+                for (const auto& each : known->GetObject())
+                    if (!value.HasMember(each.name) && maker_.keys_.at(&each.value).met == 0)
+                        places.push_back({&value, &each.name, &each.value, way.about});
+            for (Json::Member& each : membersOf(value))
+                if (const Json* const inner = maker_.memberSchema(*way.schema, each.name))
+                    findPlaces(each.value, *inner, way.about, places);
+        } else if (value.IsArray() && way.schema->HasMember("items") && !areRows(*way.schema)) {
+            for (Json& each : value.GetArray())
+                findPlaces(each, (*way.schema)["items"], way.about, places);
+        }
+    }
+
     // -- What the scene has
 
     void collectNames() {
@@ -311,8 +342,7 @@ private:
         }
     }
 
-    // A member by chance; those within which more keys may stand, or keys that were never met, come
-    // more often.
+    // A member by chance; those within which more keys may stand come more often.
     Json* heavyMember(Json& object, const Json& schema) {
         int sum = 0;
         Json* chosen = nullptr;

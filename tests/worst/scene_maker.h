@@ -52,7 +52,8 @@ public:
     using FaultsOf = std::function<std::vector<Fault>(const std::string& text)>;
     std::string mended(std::string text, const std::string& before, const FaultsOf& faultsOf) const;
 
-    // Counts the keys of a scene that has loaded. Those that were seldom met are tried more often.
+    // Counts the keys of a scene that has loaded. Those that were seldom met are tried more often,
+    // and those that never were most.
     void count(const std::string& text);
     std::size_t keys() const { return keys_.size(); }
     // Those that no counted scene had, as "blueprint.gate.follows".
@@ -78,15 +79,15 @@ private:
     Way wayOf(const Json& value, const Json& schema, const std::string& about = "") const;
     // Of a member, null if the schema has none such.
     const Json* memberSchema(const Json& object, const Json& member) const;
-    const std::vector<const Json*>& addKeys(const Json& schema, const std::string& name);
+    int addKeys(const Json& schema, const std::string& name);
     int weightOf(const Json& schema) const;
     void countIn(const Json& value, const Json& schema);
 
     rapidjson::Document schema_;
     ScenePictures pictures_;
     int widest_;
-    std::map<const Json*, Key> keys_;                         // by their schemas
-    std::map<const Json*, std::vector<const Json*>> within_;  // keys that stand within a schema
+    std::map<const Json*, Key> keys_;             // by their schemas
+    mutable std::map<const Json*, int> weights_;  // how many keys stand within
 };
 
 }  // namespace slicecast
