@@ -34,11 +34,11 @@ target_compile_options(slicecast_flags INTERFACE
   # Pictures and states have the same bytes from every compiler: no fused multiply-add. errno of
   # sqrt is never read.
   -ffp-contract=off -fno-math-errno)
-if(CMAKE_CXX_COMPILER_ID STREQUAL GNU AND CMAKE_CXX_COMPILER_VERSION VERSION_LESS 13)
+if(warnings AND CMAKE_CXX_COMPILER_ID STREQUAL GNU AND CMAKE_CXX_COMPILER_VERSION VERSION_LESS 13)
   # g++ 12 at -O3 takes "text" + std::string for a copy onto itself (its bug 105651).
   target_compile_options(slicecast_flags INTERFACE -Wno-restrict)
 endif()
-if(CMAKE_CXX_COMPILER_ID STREQUAL GNU AND CMAKE_UNITY_BUILD)
+if(warnings AND CMAKE_CXX_COMPILER_ID STREQUAL GNU AND CMAKE_UNITY_BUILD)
   # In a unity build the .cpp files are included, and g++ takes a struct of one for that of a header.
   target_compile_options(slicecast_flags INTERFACE -Wno-subobject-linkage)
 endif()
