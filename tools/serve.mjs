@@ -401,7 +401,9 @@ async function main() {
   const server = await startServer({ folder, scene, port, hosts, lan, rest });
   server.built.then((failure) => {
     if (failure !== '')
-      console.error(`The documentation and the tutorial cannot be built:\n${failure}`);
+      console.error(
+        `The rest of the page cannot be built, as documentation and tutorial:\n${failure}`,
+      );
   });
   const end = () => {
     server.close();

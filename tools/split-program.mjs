@@ -128,7 +128,7 @@ async function profileOf(bytes) {
   for (const scene of [...scenes, kPlainRoom]) {
     const faults = await engine.loadScene(openScene(scene, folder));
     if (faults.length > 0) {
-      console.error(`${faults[0].message}: the program is split without this scene.`);
+      console.error(`The engine is split without a scene that has faults. ${faults[0].message}`);
       continue;
     }
     // What the element asks of it before it plays
