@@ -13,9 +13,10 @@ namespace slicecast {
 // The heights between which the rays of open rows run.
 class OpenSlopes {
 public:
-    // For the rows [first, last).
-    OpenSlopes(const Projection& projection, int first, int last, double eyeHeight)
-        : highestEye_(eyeHeight + kSlack),
+    // For the rows [first, last). The rays run above the height `low`, units.
+    OpenSlopes(const Projection& projection, int first, int last, double eyeHeight, double low)
+        : low_(low - kSlack),
+          highestEye_(eyeHeight + kSlack),
           lowestEye_(eyeHeight - kSlack),
           upper_(projection.horizon - first),
           lower_(projection.horizon - last) {}
@@ -23,7 +24,7 @@ public:
     // A bit for each level that the rays pass in a tile.
     __attribute__((always_inline)) std::uint32_t levelsReached(double entered, double left) const {
         const double highest = highestEye_ + upper_ * (upper_ > 0.0 ? left : entered);
-        const double lowest = lowestEye_ + lower_ * (lower_ < 0.0 ? left : entered);
+        const double lowest = std::max(low_, lowestEye_ + lower_ * (lower_ < 0.0 ? left : entered));
         if (highest < 0.0 || lowest >= kMaxLevels) return 0;
         // Rounded down. The slack moves heights exactly on a level's edge to its outer side.
         const int top = highest >= kMaxLevels
@@ -36,6 +37,7 @@ public:
 private:
     static constexpr double kSlack = 1.0 / 65536.0;  // units; far more than rounding errors
 
+    double low_;
     double highestEye_;
     double lowestEye_;
     double upper_;

@@ -83,11 +83,19 @@ public:
         return part;
     }
 
-    // Keeps rows sorted.
+    // Keeps rows sorted, and rows that touch in one run: a lake is a mirror in each of its tiles.
     static void addRows(Part& part, int first, int last) {
         auto place = part.rows.end();
         while (place != part.rows.begin() && (place - 1)->first > first) --place;
-        part.rows.insert(place, {first, last});
+        if (place != part.rows.end() && place->first == last) {
+            place->first = first;
+        } else {
+            place = part.rows.insert(place, {first, last});
+        }
+        if (place != part.rows.begin() && (place - 1)->last == first) {
+            (place - 1)->last = place->last;
+            part.rows.erase(place);
+        }
     }
 
 private:

@@ -439,7 +439,7 @@ Span PlainWalk::spanOf(What what) const {
 // layer.
 void PlainWalk::show(const Span& look, Rows rows, const Finish& finish) {
     const auto add = [&](int first, int last) {
-        if (look.layer && found_->layers == kMaxLayers) return;
+        if (look.layer && found_->isFull()) return;
         if (look.layer) ++found_->layers;
         Span& span = found_->spans.add();
         span = look;

@@ -77,6 +77,7 @@ struct PlanEdge {
 class PlanEdges {
 public:
     void add(const PlanWalk& walk, const Crossing& at, std::uint32_t enters, std::uint32_t leaves);
+    void clear() { count_ = 0; }
     const PlanEdge* begin() const { return edges_.data(); }
     const PlanEdge* end() const { return edges_.data() + count_; }
 

@@ -4,7 +4,6 @@
 
 #include <algorithm>
 #include <bit>
-#include <utility>
 
 namespace slicecast {
 
@@ -26,14 +25,15 @@ void SliceWalk::meetBlocks(std::uint32_t reached, TextureId ceilingTexture) {
     if (rising != 0 || ceilingTexture != kNoTexture) meetRising(rising, ceilingTexture);
 }
 
-// For rays inside a block: they leave it downwards or through the far side. True if the block below
-// is a part of the same mover: then it has no roof, and rays enter it from inside.
-bool SliceWalk::leaveDownwards(const Block& block, int edgeRow) {
+// For rays inside a block: they leave it downwards or through the far side. Returns the level of
+// the block below if that is a part of the same mover: then it has no roof, and rays enter it from
+// inside.
+int SliceWalk::leaveDownwards(const Block& block, int edgeRow) {
     const int falling = projection_->firstFallingRow;
     const int below = rowBelow(block.bottom, leave_);
     leaveBottom(block, std::max(below, falling), edgeRow);
     leaveSide(block, std::max(rowBelow(block.top, leave_), falling), below);
-    return !block.blueprint->seeThrough && goesOn(block, -1);
+    return insideOf(block, -1);
 }
 
 // Meets blocks that are not entirely above the eye, downwards. At depth 0 the eye may be inside a
@@ -52,21 +52,20 @@ void SliceWalk::meetFalling(std::uint32_t levels, TextureId ceilingTexture) {
     std::int32_t edge = kHighest;
     int edgeRow = 0;
     bool opaqueAbove = false;
-    bool inside = false;  // see leaveDownwards
+    int inside = kNoLevel;  // see leaveDownwards
     for (std::uint32_t rest = levels; rest != 0;) {
         const int level = static_cast<int>(std::bit_width(rest)) - 1;
         rest ^= std::uint32_t{1} << level;
         Block block = blockAt(walk_.tileX, walk_.tileY, level);
         if ((clipped_ && !cutToClip(block)) || block.bottom > 0) continue;
         const bool atEye = isAtEye(level);
-        block.cut |= std::exchange(inside, false);
-        if (isBeyondLayers(block)) continue;
+        block.cut |= level == inside;
         if (block.blueprint->slopes.any()) {
             ceilingAbove(block.top);
             const MetSlopes met = enterSlopes(block);
             ceilingAbove(block.top - 1);
             passSlopes(block, met);
-            inside = !block.blueprint->seeThrough && goesOn(block, -1);
+            inside = insideOf(block, -1);
             edge = kHighest;
             continue;
         }
@@ -119,14 +118,13 @@ void SliceWalk::meetRising(std::uint32_t levels, TextureId ceilingTexture) {
     std::int32_t edge = -kHighest;
     int edgeRow = 0;
     bool opaqueBelow = false;
-    bool inside = false;  // as in meetFalling
+    int inside = kNoLevel;  // as in meetFalling
     for (std::uint32_t rest = levels; rest != 0; rest &= rest - 1) {
         const int level = std::countr_zero(rest);
         Block block = blockAt(walk_.tileX, walk_.tileY, level);
         if (clipped_ && !cutToClip(block)) continue;
         const bool atEye = isAtEye(level);
-        block.cut |= std::exchange(inside, false);
-        if (isBeyondLayers(block)) continue;
+        block.cut |= level == inside;
         if (block.blueprint->slopes.any()) {
             if (block.bottom > 0) {  // else it was met as falling
                 ceilingBelow(block.bottom);
@@ -134,7 +132,7 @@ void SliceWalk::meetRising(std::uint32_t levels, TextureId ceilingTexture) {
                 ceilingBelow(block.bottom + 1);
                 passSlopes(block, met);
             }
-            inside = !block.blueprint->seeThrough && goesOn(block, 1);
+            inside = insideOf(block, 1);
             edge = -kHighest;
             continue;
         }
@@ -156,7 +154,7 @@ void SliceWalk::meetRising(std::uint32_t levels, TextureId ceilingTexture) {
                     const int below = rowBelow(block.top, leave_);
                     leaveTop(block, edgeRow, below);
                     leaveSide(block, below, rowBelow(block.bottom, leave_));
-                    inside = !block.blueprint->seeThrough && goesOn(block, 1);
+                    inside = insideOf(block, 1);
                 }
                 continue;
             }
@@ -174,7 +172,7 @@ void SliceWalk::meetRising(std::uint32_t levels, TextureId ceilingTexture) {
             leaveTop(block, edgeRow, std::min(below, projection_->firstFallingRow));
             leaveSide(block, below,
                       std::min(rowBelow(block.bottom, leave_), projection_->firstFallingRow));
-            inside = !block.blueprint->seeThrough && goesOn(block, 1);
+            inside = insideOf(block, 1);
         }
     }
     ceilingBelow(kHighest);

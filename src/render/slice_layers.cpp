@@ -124,14 +124,14 @@ void SliceWalk::seeUnjoined(const Block& block, const CellBlueprint* joined, Fac
 }
 
 void SliceWalk::enterThroughSide(const Block& block, int firstRow, int lastRow) {
-    if (!open_.mayHold(firstRow, lastRow) || !isThere(block, enteredFace(enter_))) return;
+    if (!mayAddLayer(firstRow, lastRow) || !isThere(block, enteredFace(enter_))) return;
     seeUnjoined(block, joinedBefore(block), enteredFace(enter_), Border::enter, firstRow, lastRow);
 }
 
 // Behind the side there may be a portal of the whole tile, or of a block's face, which may be
 // smaller than the side.
 void SliceWalk::leaveThroughSide(const Block& block, int firstRow, int lastRow) {
-    if (!open_.mayHold(firstRow, lastRow) || !isThere(block, leftFace(leave_))) return;
+    if (!mayAddLayer(firstRow, lastRow) || !isThere(block, leftFace(leave_))) return;
     if (leave_.inner)
         return seeUnjoined(block, nullptr, leftFace(leave_), Border::leave, firstRow, lastRow);
     const int x = behindX(Border::leave);
@@ -166,7 +166,7 @@ void SliceWalk::leaveThroughSide(const Block& block, int firstRow, int lastRow) 
 void SliceWalk::passThroughPlane(const Block& block, Face face, int firstRow, int lastRow,
                                  bool leaving) {
     const bool isTop = face == Face::top;
-    if (!open_.mayHold(firstRow, lastRow) || !isThere(block, face) ||
+    if (!mayAddLayer(firstRow, lastRow) || !isThere(block, face) ||
         joinsNext(block, isTop ? 1 : -1, leaving))
         return;
     seeThroughPlane(isTop ? What::roof : What::underside, planeOf(block, face), firstRow, lastRow,

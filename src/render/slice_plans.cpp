@@ -6,46 +6,47 @@
 
 namespace slicecast {
 
-bool SliceWalk::hasPlansHere() const {
+// The levels of the current tile with plans, of blocks that are met and of those next to them.
+std::uint32_t SliceWalk::levelsWithPlans() const {
+    std::uint32_t found = 0;
+    if (reached_ == 0) return found;
     const int x = walk_.tileX;
     const int y = walk_.tileY;
-    if (!map_->contains(x, y)) return false;
-    for (std::uint32_t rest = map_->occupied[map_->tileIndex(x, y)]; rest != 0; rest &= rest - 1) {
-        if (!blockAt(x, y, std::countr_zero(rest)).blueprint->plan.isWhole()) return true;
+    const std::uint32_t near = reached_ | reached_ << 1 | reached_ >> 1;
+    for (std::uint32_t rest = map_->occupied[map_->tileIndex(x, y)] & near; rest != 0;
+         rest &= rest - 1) {
+        if (!blockAt(x, y, std::countr_zero(rest)).blueprint->plan.isWhole()) found |= rest & -rest;
     }
-    return false;
+    return found;
 }
 
-// Finds where the blocks of the current tile begin and end within it, and which of them the ray
-// does not meet at its entry.
-void SliceWalk::findPlanEdges(PlanEdges& edges) {
-    const int x = walk_.tileX;
-    const int y = walk_.tileY;
+// Finds where blocks of the current tile begin and end within it, and which of them the ray does
+// not meet at its entry.
+void SliceWalk::findPlanEdges(std::uint32_t levels) {
+    planEdges_.clear();
     const PlanWalk plans = plansHere();
-    for (std::uint32_t rest = map_->occupied[map_->tileIndex(x, y)]; rest != 0; rest &= rest - 1) {
+    for (std::uint32_t rest = levels; rest != 0; rest &= rest - 1) {
         const int level = std::countr_zero(rest);
-        const Plan& plan = blockAt(x, y, level).blueprint->plan;
-        if (plan.isWhole()) continue;
         const std::uint32_t bit = std::uint32_t{1} << level;
-        const PlanPassage passage = plans.passage(plan);
+        const PlanPassage passage =
+            plans.passage(blockAt(walk_.tileX, walk_.tileY, level).blueprint->plan);
         if (!passage.isMet || passage.enter.inner) absent_ |= bit;
         if (!passage.isMet) continue;
-        if (passage.enter.inner) edges.add(plans, passage.enter, bit, 0);
-        if (passage.leave.inner) edges.add(plans, passage.leave, 0, bit);
+        if (passage.enter.inner) planEdges_.add(plans, passage.enter, bit, 0);
+        if (passage.leave.inner) planEdges_.add(plans, passage.leave, 0, bit);
     }
 }
 
 // Edges and objects split the tile into stretches. What an edge and an object at one depth show
 // comes in this order.
-void SliceWalk::meetTileWithPlans() {
-    PlanEdges edges;
-    findPlanEdges(edges);
+void SliceWalk::meetTileWithPlans(std::uint32_t levels) {
+    findPlanEdges(levels);
     const Crossing leave = leave_;
     const std::uint32_t reached = reached_;
-    const PlanEdge* edge = edges.begin();
+    const PlanEdge* edge = planEdges_.begin();
     for (;;) {
         const double object = nextObjectAlong();
-        const bool isEdge = edge != edges.end() && edge->at.along <= object;
+        const bool isEdge = edge != planEdges_.end() && edge->at.along <= object;
         if (!isEdge && !(object < leave.along)) break;
         leave_ = isEdge ? edge->at : crossingAt(vista_->objects[*object_]);
         staying_ = isEdge ? ~edge->leaves : 0;

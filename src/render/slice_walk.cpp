@@ -3,6 +3,7 @@
 #include "render/open_slopes.h"
 
 #include <algorithm>
+#include <bit>
 
 namespace slicecast {
 namespace {
@@ -74,6 +75,7 @@ void SliceWalk::begin(const Part& part) {
     walk_ = part.walk;
     clip_ = part.clip;
     clipped_ = clip_.any();
+    lowest_ = clip_.low / 65536.0 + eyeHeight_;
     portals_ = part.portals;
     startX_ = walk_.tileX;
     startY_ = walk_.tileY;
@@ -174,7 +176,7 @@ template <bool portals>
 SliceWalk::Pass SliceWalk::passTilesWith(bool leaveFirst) {
     if (object_ != objectsEnd_) skipHiddenObjects();
     const double stop = whereToStop(open_.first(), open_.last());
-    const OpenSlopes slopes(*projection_, open_.first(), open_.last(), eyeHeight_);
+    const OpenSlopes slopes(*projection_, open_.first(), open_.last(), eyeHeight_, lowest_);
     const TextureId* const floorTiles = map_->floor.tiles.data();
     const TextureId* const ceilingTiles = ceilingTiles_;
     const std::uint32_t* const occupiedTiles = map_->occupied.data();
@@ -183,6 +185,7 @@ SliceWalk::Pass SliceWalk::passTilesWith(bool leaveFirst) {
     const auto width = static_cast<unsigned>(map_->width);
     const auto depth = static_cast<unsigned>(map_->depth);
     const double objectAlong = nextObjectAlong();
+    const bool isFull = this->isFull();
     GridWalk walk = walk_;
     std::uint32_t reached = 0;
     int tiles = 0;
@@ -217,6 +220,7 @@ SliceWalk::Pass SliceWalk::passTilesWith(bool leaveFirst) {
         }
         reached = occupiedTiles[tile];
         if (reached != 0) reached &= slopes.levelsReached(walk.entered, walk.left());
+        if (isFull && reached != 0) reached = withoutLayers(walk.tileX, walk.tileY, reached);
         if (reached != 0 || floorTiles[tile] != floorTexture ||
             (ceilingTiles && ceilingTiles[tile] != ceilingTexture) || walk.left() > objectAlong) {
             break;
@@ -229,12 +233,25 @@ SliceWalk::Pass SliceWalk::passTilesWith(bool leaveFirst) {
     return pass;
 }
 
+// Of some levels of a tile in the grid, those whose blocks still add to a column with kMaxLayers.
+// A mirror is opaque; but what mirrors show is seen from below.
+std::uint32_t SliceWalk::withoutLayers(int x, int y, std::uint32_t levels) const {
+    for (std::uint32_t rest = levels; rest != 0; rest &= rest - 1) {
+        const CellBlueprint& block = *blockAt(x, y, std::countr_zero(rest)).blueprint;
+        if (block.seeThrough && !block.hasPortals &&
+            (clip_.isMirror || block.face(Face::top).mirror == 0))
+            levels ^= rest & -rest;
+    }
+    return levels;
+}
+
 // Meets the present tile, even if nothing changes there.
 void SliceWalk::meetCurrent() {
     if (object_ != objectsEnd_) skipHiddenObjects();
-    const OpenSlopes slopes(*projection_, open_.first(), open_.last(), eyeHeight_);
+    const OpenSlopes slopes(*projection_, open_.first(), open_.last(), eyeHeight_, lowest_);
     reached_ = map_->occupied[map_->tileIndex(walk_.tileX, walk_.tileY)];
     if (reached_ != 0) reached_ &= slopes.levelsReached(walk_.entered, walk_.left());
+    if (isFull()) reached_ = withoutLayers(walk_.tileX, walk_.tileY, reached_);
     meetHere();
 }
 
@@ -244,8 +261,9 @@ double SliceWalk::nextObjectAlong() const {
 
 // Meets a tile in which something changes.
 void SliceWalk::meetTile() {
-    if (frame_.world->hasPlans && hasPlansHere()) {
-        meetTileWithPlans();
+    const std::uint32_t plans = frame_.world->hasPlans ? levelsWithPlans() : 0;
+    if (plans != 0) {
+        meetTileWithPlans(plans);
     } else if (object_ != objectsEnd_ && vista_->objects[*object_].along < leave_.along) {
         meetTileWithObjects();
     } else {

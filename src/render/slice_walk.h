@@ -158,12 +158,12 @@ private:
     PlaneLook& lookOf(const Plane& plane) {
         return vista_->planeLooks.find(plane, frame_.textures[plane.texture], frame_.detail);
     }
-    bool countLayer();  // false if the column has kMaxLayers already
-    // True if the block could only add layers, and the column has kMaxLayers. A mirror is opaque.
-    bool isBeyondLayers(const Block& block) const {
-        return found_->layers == kMaxLayers && block.blueprint->seeThrough &&
-               !block.blueprint->hasPortals && block.blueprint->face(Face::top).mirror == 0;
+    bool isFull() const { return found_->isFull(); }
+    bool countLayer();  // false if the column is full
+    bool mayAddLayer(int firstRow, int lastRow) const {
+        return !isFull() && open_.mayHold(firstRow, lastRow);
     }
+    std::uint32_t withoutLayers(int x, int y, std::uint32_t levels) const;
 
     // ---- slice_cover.cpp
     void takeFloor(Border upTo);
@@ -176,7 +176,7 @@ private:
     // ---- slice_blocks.cpp
     Block blockAt(int x, int y, int level) const;
     void meetBlocks(std::uint32_t reached, TextureId ceilingTexture);
-    __attribute__((noinline)) bool leaveDownwards(const Block& block, int edgeRow);
+    __attribute__((noinline)) int leaveDownwards(const Block& block, int edgeRow);
     void meetFalling(std::uint32_t levels, TextureId ceilingTexture);
     void meetRising(std::uint32_t levels, TextureId ceilingTexture);
     void takeRoof(const Block& block, int firstRow, int lastRow, bool fromInside = false);
@@ -220,9 +220,9 @@ private:
     void takeEnteredSide(const Block& block, int firstRow, int lastRow);
 
     // ---- slice_plans.cpp
-    bool hasPlansHere() const;
-    void findPlanEdges(PlanEdges& edges);
-    void meetTileWithPlans();
+    std::uint32_t levelsWithPlans() const;
+    void findPlanEdges(std::uint32_t levels);
+    void meetTileWithPlans(std::uint32_t levels);
     bool isAtEye(int level) const { return walk_.entered == 0.0 && (late_ >> level & 1) == 0; }
     bool entersAt(int level) const {
         return enter_.hasSides() && (enter_.border || (within_ >> level & 1) == 0);
@@ -244,6 +244,10 @@ private:
                                       int level) const;
     const CellBlueprint* joinedBefore(const Block& block) const;
     const CellBlueprint* joinedNear(const Block& block, Border border) const;
+    // The level of the next block if rays go on inside it, else kNoLevel.
+    int insideOf(const Block& block, int up) const {
+        return !block.blueprint->seeThrough && goesOn(block, up) ? block.level + up : kNoLevel;
+    }
     bool isAbsent(int level) const { return absent_ != 0 && (absent_ >> (level & 31) & 1) != 0; }
     __attribute__((noinline)) bool goesOn(const Block& block, int up) const;
     bool joinsNext(const Block& block, int up, bool leaving) const;
@@ -343,6 +347,7 @@ private:
     int floorMirror_ = 0;                      // strength
     bool hasTilePortals_ = false;
     HeightClip clip_;
+    double lowest_ = 0.0;  // no ray of the part runs lower, units
     bool clipped_ = false;
     int part_ = 0;     // index of the part
     int portals_ = 0;  // passed so far
@@ -361,6 +366,7 @@ private:
     SideView enteredSide_;  // only valid if enteredSideKnown_
     bool enteredSideKnown_ = false;
     std::uint32_t reached_ = 0;  // levels of the current tile whose blocks an open row may meet
+    PlanEdges planEdges_;        // of the current tile
     // Of a tile with plans, levels whose blocks are not between `enter_` and `leave_`, began before
     // `enter_`, end after `leave_`, began at an edge within the tile
     std::uint32_t absent_ = 0;
@@ -396,7 +402,7 @@ inline Span& SliceWalk::addPlane(What what, PlaneLook& look, int first, int last
 }
 
 inline bool SliceWalk::countLayer() {
-    if (found_->layers == kMaxLayers) return false;
+    if (isFull()) return false;
     ++found_->layers;
     return true;
 }

@@ -167,7 +167,8 @@ void StripWalk::visit(int v) {
     std::uint32_t reached = map_->occupied[tile];
     const double left = far_ * alongPerUMost_;
     if (reached != 0) {
-        const OpenSlopes slopes(*projection_, open_.first(), open_.last(), any.eyeHeight_);
+        const OpenSlopes slopes(*projection_, open_.first(), open_.last(), any.eyeHeight_,
+                                any.lowest_);
         reached &= slopes.levelsReached(near_ * alongPerU_, left);
     }
     const TextureId floor = map_->floor.tiles[tile];

@@ -392,11 +392,11 @@ TEST(Judge, TheFarthestLayersOfAFullColumnMayBeMissing) {
 
 TEST(Judge, NoLayerOfAnotherColumnMayBeMissing) {
     Renderer renderer;
-    const Scene scene = hallOfPanes(30, 5);
+    const Scene scene = hallOfPanes(15, 5);
     Verdict verdict = verdictOf(scene, draw(renderer, scene.world, scene.view));
     expectNoComplaint(verdict);
     EXPECT_EQ(verdict.coverage.count("without the farthest layers"), 0u);
-    const Scene without = hallOfPanes(30, 0);
+    const Scene without = hallOfPanes(15, 0);
     verdict = verdictOf(scene, draw(renderer, without.world, scene.view));
     EXPECT_GT(verdict.unexcused, 0);
 }

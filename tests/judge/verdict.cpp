@@ -146,7 +146,8 @@ bool isLayer(const Sight& sight) {
 }
 
 // Whether the rays of a column may meet so many see-through runs of rows, in mirrors or before
-// them, that further ones are left out. Counts as many as there can be: what is behind opaque
+// them, that further ones are left out: three quarters of the most that there are, because two that
+// touch look like one. Counts as many as there can be: what is behind opaque
 // texels may count or not, so a run ends wherever another thing hides it; and what objects, or
 // edges within the tile, may divide counts for each of them.
 class Crowds {
@@ -155,14 +156,11 @@ public:
 
     bool isFull(double x, bool reflected) {
         const auto [found, isNew] = known_.try_emplace({x, reflected}, false);
-        if (isNew) found->second = runs(x, reflected) >= kThreeQuarters;
+        if (isNew) found->second = runs(x, reflected) >= (reflected ? 48 : 96);
         return found->second;
     }
 
 private:
-    // Of 192 runs, the most that there are: two that touch look like one.
-    static constexpr int kThreeQuarters = 144;
-
     int runs(double x, bool reflected) const {
         std::map<Thing, int> runsOf;
         std::set<int> objects;
