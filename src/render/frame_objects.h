@@ -1,8 +1,10 @@
 // The objects of a frame: which of a map's objects may be visible, at which depth and in which
-// columns. A group of columns looks for its objects when a slice first asks, because behind a
-// portal only a few columns do. When many ask, all groups are searched at once.
+// columns. They are looked for when a slice asks, only in its column, and only so far as it walks,
+// because behind portals there may be thousands of views, each of few columns. When many columns
+// of a view ask, all are searched together.
 #pragma once
 
+#include "base/keyed_pool.h"
 #include "render/detail.h"
 #include "render/object_cells.h"
 #include "render/projection.h"
@@ -11,6 +13,7 @@
 #include "world/world.h"
 
 #include <cstdint>
+#include <span>
 #include <vector>
 
 namespace slicecast {
@@ -31,8 +34,24 @@ struct FrameObject {
     int index = 0;  // index into the map's objects
 };
 
-// Memory for the objects of all views of a frame: behind portals there may be hundreds of views.
+// Objects that may cover some columns.
+struct ColumnObjects {
+    std::vector<int> objects;  // nearest first; at equal depth in the map's order
+    double from = 0.0;         // those at depths of [from, to) have been found, units
+    double to = 0.0;
+};
+
+class FrameObjects;
+
+// Memory for the objects of all views of a frame: behind portals there may be thousands of views.
 struct FrameObjectRoom {
+    // A column of a view that few columns see.
+    struct Place {
+        const FrameObjects* view;
+        int column;
+
+        friend bool operator==(const Place&, const Place&) = default;
+    };
     // An object that may cover some of the columns.
     struct Seen {
         double depth;
@@ -40,7 +59,13 @@ struct FrameObjectRoom {
         int index;
     };
 
+    void forgetAll() {
+        objects.clear();
+        lists.forgetAll();
+    }
+
     std::vector<FrameObject> objects;
+    KeyedPool<Place, ColumnObjects> lists;
     std::vector<int> near;  // used during one search only, as are the next two
     std::vector<Seen> seen;
     std::vector<Seen> sorting;
@@ -54,14 +79,12 @@ public:
                     const Projection& projection, const Detail& detail, const Lighting& lighting,
                     FrameObjectRoom& room);
 
-    // The objects that may cover a column, nearest first; at equal depth in the map's order.
-    const std::vector<int>& inColumn(int column) {
-        const int group = column / kGroup;
-        if (!isKnown(group)) ask(group);
-        return groups_[static_cast<std::size_t>(group)];
-    }
-    // Finds those of all columns at once: faster if most of them will ask.
-    void findAll();
+    // The objects that may cover a column, with all at depths of [from, to); `to` may be infinite.
+    // Stays where it is during the frame. Later calls add farther objects; one from nearer begins
+    // the list anew.
+    const ColumnObjects& inColumn(int column, double from, double to);
+    // Looks for those of all columns together from now on: faster if most of them will ask.
+    void askTogether();
     // Valid until a group of any view is searched.
     const FrameObject& operator[](int i) const {
         return room_->objects[static_cast<std::size_t>(i)];
@@ -78,14 +101,10 @@ public:
     }
 
 private:
-    static constexpr int kGroup = 16;  // columns that share a list
-
-    // Not inlined: a copy at each call would only enlarge the page's program.
-    __attribute__((noinline)) void ask(int group);
-    __attribute__((noinline)) void find(int first, int last);
-    bool isKnown(int group) const { return known_[static_cast<std::size_t>(group)] != 0; }
-    void findSeen(int first, int end);
-    void add(const FrameObjectRoom::Seen& seen, int firstGroup, int lastGroup);
+    ColumnObjects* listOf(int column);
+    void find(std::span<ColumnObjects> lists, int first, int columns, double from, double to);
+    void findSeen(int first, int end, double from, double to);
+    bool look(const FrameObjectRoom::Seen& seen, FrameObject& shown) const;
 
     const World* world_ = nullptr;
     const Map* map_ = nullptr;
@@ -97,9 +116,9 @@ private:
     GroundDirection forward_;
     GroundDirection right_;
     FrameObjectRoom* room_ = nullptr;
-    std::vector<std::vector<int>> groups_;  // indices into the room's objects
-    std::vector<std::uint8_t> known_;       // 1 for each group whose list is known
-    int asked_ = 0;                         // groups that have asked, one after another
+    int asked_ = 0;          // searches for one column
+    bool together_ = false;  // then groups of columns have lists
+    std::vector<ColumnObjects> groups_;
 };
 
 }  // namespace slicecast

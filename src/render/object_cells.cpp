@@ -1,7 +1,9 @@
 #include "render/object_cells.h"
 
 #include <algorithm>
+#include <cmath>
 #include <cstddef>
+#include <utility>
 
 namespace slicecast {
 namespace {
@@ -54,8 +56,8 @@ void ObjectCells::fill(const Map& map) {
         order_[static_cast<std::size_t>(--startOf(map.objects[i]))] = static_cast<int>(i);
 }
 
-// A cell is outside of the wedge if it is entirely behind the point or beyond one of the two edges:
-// if the greatest value of a . p + b over its points p is below 0.
+// A cell is outside of the wedge if it is entirely beyond one of the two depths or edges: if the
+// greatest value of a . p + b over its points p is below 0.
 void ObjectCells::find(const GroundWedge& wedge, std::vector<int>& found) const {
     const double size = static_cast<double>(std::int64_t{1} << shift_) / 65536.0;
     const double x = static_cast<double>(west_ - wedge.x) / 65536.0;  // of the first cell's corner
@@ -69,13 +71,31 @@ void ObjectCells::find(const GroundWedge& wedge, std::vector<int>& found) const 
         return side(sign * (wedge.right.x - aside * wedge.forward.x),
                     sign * (wedge.right.y - aside * wedge.forward.y), halfWidest_ + kSlack);
     };
-    const Side ahead = side(wedge.forward.x, wedge.forward.y, kSlack);
+    const Side ahead = side(wedge.forward.x, wedge.forward.y, kSlack - wedge.nearest);
+    const Side before = side(-wedge.forward.x, -wedge.forward.y, kSlack + wedge.farthest);
     const Side left = edge(wedge.left, 1.0);
     const Side right = edge(wedge.end, -1.0);
-    for (int row = 0; row < rows_; ++row)
-        for (int column = 0; column < columns_; ++column) {
-            if (ahead.at(column, row) < 0.0 || left.at(column, row) < 0.0 ||
-                right.at(column, row) < 0.0)
+    // Only cells near the wedge's corners are looked at
+    const double farthest = std::min(
+        wedge.farthest, std::fabs(x) + std::fabs(y) + size * (columns_ + rows_) + halfWidest_);
+    const auto cellsAlong = [&](double forward, double aside, double begin, int count) {
+        const auto [least, most] = std::minmax({wedge.nearest * (forward + aside * wedge.left),
+                                                wedge.nearest * (forward + aside * wedge.end),
+                                                farthest * (forward + aside * wedge.left),
+                                                farthest * (forward + aside * wedge.end)});
+        const double more = halfWidest_ + 1.0;
+        const auto cellOf = [&](double at) {
+            return static_cast<int>(std::clamp((at - begin) / size, -1.0, count * 1.0) + 1.0) - 1;
+        };
+        return std::pair(std::max(cellOf(least - more), 0),
+                         std::min(cellOf(most + more), count - 1));
+    };
+    const auto [firstRow, lastRow] = cellsAlong(wedge.forward.y, wedge.right.y, y, rows_);
+    const auto [firstColumn, lastColumn] = cellsAlong(wedge.forward.x, wedge.right.x, x, columns_);
+    for (int row = firstRow; row <= lastRow; ++row)
+        for (int column = firstColumn; column <= lastColumn; ++column) {
+            if (ahead.at(column, row) < 0.0 || before.at(column, row) < 0.0 ||
+                left.at(column, row) < 0.0 || right.at(column, row) < 0.0)
                 continue;
             const auto cell = static_cast<std::size_t>(row * columns_ + column);
             for (int i = starts_[cell]; i < starts_[cell + 1]; ++i)

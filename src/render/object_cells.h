@@ -12,7 +12,7 @@
 
 namespace slicecast {
 
-// A wedge of ground: everything in front of a point, between two limits to the side.
+// A wedge of ground in front of a point, between two depths and two limits to the side.
 struct GroundWedge {
     std::int64_t x = 0;  // of the point, 1/65536 units
     std::int64_t y = 0;
@@ -20,6 +20,8 @@ struct GroundWedge {
     GroundDirection right;
     double left = 0.0;  // limits to the right of the point, per unit of depth
     double end = 0.0;
+    double nearest = 0.0;  // units
+    double farthest = 0.0;
 };
 
 class ObjectCells {
@@ -37,7 +39,7 @@ public:
     void find(const GroundWedge& wedge, std::vector<int>& found) const;
 
 private:
-    static constexpr int kMost = 32;  // cells along x, and along y
+    static constexpr int kMost = 64;  // cells along x, and along y
 
     int columnOf(const Object& object) const {
         return static_cast<int>((object.x.raw - west_) >> shift_);

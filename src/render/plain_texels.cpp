@@ -43,7 +43,7 @@ double across(const FrameObject& object, const Projection& projection, int colum
 // Finds the objects that the column's rays pass, from the start of the part on.
 void PlainWalk::findObjects() {
     objects_.clear();
-    for (const int i : part_.vista->objects.inColumn(column_)) {
+    for (const int i : part_.vista->objects.inColumn(column_, 0.0, kNever).objects) {
         const FrameObject& object = part_.vista->objects[i];
         const double share = across(object, projection(), column_);
         if (object.along >= walk_.entered && share >= 0.0 && share < 1.0)

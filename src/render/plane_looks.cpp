@@ -6,11 +6,7 @@
 #include <algorithm>
 
 namespace slicecast {
-namespace {
-
-constexpr std::size_t kFirstSlots = 128;
-
-}  // namespace
+namespace {}  // namespace
 
 std::uint32_t PlaneLook::factorAt(int row) const {
     return rays_->lighting.factorAt(depthPerInverse * rays_->inverseOffsets[row], plane.light,
@@ -97,39 +93,17 @@ void PlaneLook::fill(int first, int last) {
 
 void PlaneLooks::beginFrame(const PlaneRays& rays) {
     rays_ = rays;
-    used_ = 0;
-    slots_.assign(std::max(kFirstSlots, slots_.size()), nullptr);
-}
-
-std::size_t PlaneLooks::slotOf(const Plane& plane) const {
-    const std::uint64_t key = static_cast<std::uint32_t>(plane.rise) * 0x9e3779b97f4a7c15u +
-                              (bitCast<std::uint64_t>(plane.light) ^
-                               (std::uint64_t{plane.texture} << 8 | (plane.glow ? 4u : 0u) |
-                                (plane.mirror ? 2u : 0u) | (plane.southReversed ? 1u : 0u))) *
-                                  0xbf58476d1ce4e5b9u;
-    return static_cast<std::size_t>(key >> 40) & (slots_.size() - 1);
+    looks_.forgetAll();
 }
 
 PlaneLook& PlaneLooks::find(const Plane& plane, const FrameTexture& texture, const Detail& detail) {
-    std::size_t slot = slotOf(plane);
-    for (; slots_[slot] != nullptr; slot = (slot + 1) & (slots_.size() - 1)) {
-        if (slots_[slot]->plane == plane) return *slots_[slot];
-    }
-    if (used_ == looks_.size()) looks_.push_back(std::make_unique<PlaneLook>());
-    PlaneLook& look = *looks_[used_++];
-    look.begin(plane, texture, detail, rays_);
-    slots_[slot] = &look;
-    if (2 * used_ > slots_.size()) grow();
-    return look;
-}
-
-void PlaneLooks::grow() {
-    slots_.assign(2 * slots_.size(), nullptr);
-    for (std::size_t i = 0; i < used_; ++i) {
-        std::size_t slot = slotOf(looks_[i]->plane);
-        while (slots_[slot] != nullptr) slot = (slot + 1) & (slots_.size() - 1);
-        slots_[slot] = looks_[i].get();
-    }
+    const std::uint64_t hash = static_cast<std::uint32_t>(plane.rise) * 0x9e3779b97f4a7c15u +
+                               (bitCast<std::uint64_t>(plane.light) ^
+                                (std::uint64_t{plane.texture} << 8 | (plane.glow ? 4u : 0u) |
+                                 (plane.mirror ? 2u : 0u) | (plane.southReversed ? 1u : 0u))) *
+                                   0xbf58476d1ce4e5b9u;
+    return looks_.find(plane, hash >> 40,
+                       [&](PlaneLook& look) { look.begin(plane, texture, detail, rays_); });
 }
 
 }  // namespace slicecast

@@ -3,6 +3,7 @@
 // each visible plane. Tables are filled only in the rows that are needed.
 #pragma once
 
+#include "base/keyed_pool.h"
 #include "render/column_fill.h"
 #include "render/detail.h"
 #include "render/shading.h"
@@ -98,13 +99,8 @@ public:
     PlaneLook& find(const Plane& plane, const FrameTexture& texture, const Detail& detail);
 
 private:
-    void grow();
-    std::size_t slotOf(const Plane& plane) const;
-
     PlaneRays rays_;
-    std::size_t used_ = 0;
-    std::vector<std::unique_ptr<PlaneLook>> looks_;
-    std::vector<PlaneLook*> slots_;  // hash table with open addressing; the size is a power of two
+    KeyedPool<Plane, PlaneLook> looks_;
 };
 
 }  // namespace slicecast

@@ -11,9 +11,8 @@ namespace slicecast {
 // the tile's contents may be before or behind it.
 void SliceWalk::meetTileWithObjects() {
     const Crossing leave = leave_;
-    for (; object_ != objectsEnd_ && vista_->objects[*object_].along < leave.along;
-         ++object_, skipHiddenObjects()) {
-        const FrameObject& object = vista_->objects[*object_];
+    for (; nextObjectAlong() < leave.along; ++object_, skipHiddenObjects()) {
+        const FrameObject& object = this->object();
         leave_ = crossingAt(object);
         meetStretch();
         meetObject(object);
@@ -25,19 +24,30 @@ void SliceWalk::meetTileWithObjects() {
 
 // Meets objects outside the grid, where there is only the floor.
 void SliceWalk::meetObjectsBeyond() {
-    for (; object_ != objectsEnd_ && !open_.none(); ++object_, skipHiddenObjects()) {
-        const FrameObject& object = vista_->objects[*object_];
+    if (objectsTo_ < kNever) findObjects(kNever);
+    for (skipHiddenObjects(); hasObject() && !open_.none(); ++object_, skipHiddenObjects()) {
+        const FrameObject& object = this->object();
         leave_ = crossingAt(object);
         takeFloorBeyond(rowBelow(floorRise_, leave_));
         meetObject(object);
     }
 }
 
+// Finds the objects from the current tile on, up to some place along the ray and at least a unit
+// more.
+void SliceWalk::findObjects(double to) {
+    const double distance = projection_->distance;
+    objects_ =
+        &vista_->objects.inColumn(column_, walk_.entered * distance - 1.0, to * distance + 1.0);
+    objectsTo_ = objects_->to / distance;
+    for (object_ = 0; hasObject() && object().along < walk_.entered;) ++object_;
+}
+
 // Several columns share a list of objects; skips those that this one passes by, and those whose
 // rows are closed.
 void SliceWalk::skipHiddenObjects() {
-    for (; object_ != objectsEnd_; ++object_) {
-        const FrameObject& object = vista_->objects[*object_];
+    for (; hasObject(); ++object_) {
+        const FrameObject& object = this->object();
         if (!open_.mayHold(object.firstRow, object.lastRow)) continue;
         const double share = across(object);
         if (share >= 0.0 && share < 1.0) return;

@@ -45,10 +45,10 @@ void SliceWalk::meetTileWithPlans(std::uint32_t levels) {
     const std::uint32_t reached = reached_;
     const PlanEdge* edge = planEdges_.begin();
     for (;;) {
-        const double object = nextObjectAlong();
-        const bool isEdge = edge != planEdges_.end() && edge->at.along <= object;
-        if (!isEdge && !(object < leave.along)) break;
-        leave_ = isEdge ? edge->at : crossingAt(vista_->objects[*object_]);
+        const double objectAlong = nextObjectAlong();
+        const bool isEdge = edge != planEdges_.end() && edge->at.along <= objectAlong;
+        if (!isEdge && !(objectAlong < leave.along)) break;
+        leave_ = isEdge ? edge->at : crossingAt(object());
         staying_ = isEdge ? ~edge->leaves : 0;
         reached_ = reached & ~absent_;
         meetStretch();
@@ -60,7 +60,7 @@ void SliceWalk::meetTileWithPlans(std::uint32_t levels) {
             enteredSideKnown_ = false;
             ++edge;
         } else {
-            meetObject(vista_->objects[*object_]);
+            meetObject(object());
             ++object_;
             skipHiddenObjects();
         }

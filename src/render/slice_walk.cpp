@@ -91,12 +91,11 @@ void SliceWalk::begin(const Part& part) {
     if (portals_ > 0) ++report_.partsBehindPortals;
     floor_ = {map_->floor.texture, projection_->height, walk_.tileX, walk_.tileY};
     ceiling_ = {};
-    object_ = objectsEnd_ = nullptr;
+    objects_ = nullptr;
+    object_ = 0;
+    objectsTo_ = kNever;
     if (vista_->objects.none()) return;
-    const std::vector<int>& objects = vista_->objects.inColumn(column_);
-    object_ = objects.data();
-    objectsEnd_ = object_ + objects.size();
-    while (object_ != objectsEnd_ && vista_->objects[*object_].along < walk_.entered) ++object_;
+    findObjects(walk_.entered);
 }
 
 void SliceWalk::lookInto(Vista& vista) {
@@ -174,7 +173,7 @@ double SliceWalk::whereToStop(int first, int last) const {
 // may meet.
 template <bool portals>
 SliceWalk::Pass SliceWalk::passTilesWith(bool leaveFirst) {
-    if (object_ != objectsEnd_) skipHiddenObjects();
+    skipHiddenObjects();
     const double stop = whereToStop(open_.first(), open_.last());
     const OpenSlopes slopes(*projection_, open_.first(), open_.last(), eyeHeight_, lowest_);
     const TextureId* const floorTiles = map_->floor.tiles.data();
@@ -247,7 +246,7 @@ std::uint32_t SliceWalk::withoutLayers(int x, int y, std::uint32_t levels) const
 
 // Meets the present tile, even if nothing changes there.
 void SliceWalk::meetCurrent() {
-    if (object_ != objectsEnd_) skipHiddenObjects();
+    skipHiddenObjects();
     const OpenSlopes slopes(*projection_, open_.first(), open_.last(), eyeHeight_, lowest_);
     reached_ = map_->occupied[map_->tileIndex(walk_.tileX, walk_.tileY)];
     if (reached_ != 0) reached_ &= slopes.levelsReached(walk_.entered, walk_.left());
@@ -255,16 +254,16 @@ void SliceWalk::meetCurrent() {
     meetHere();
 }
 
-double SliceWalk::nextObjectAlong() const {
-    return object_ == objectsEnd_ ? kNever : vista_->objects[*object_].along;
-}
-
 // Meets a tile in which something changes.
 void SliceWalk::meetTile() {
+    if (objectsTo_ < leave_.along) {
+        findObjects(leave_.along);
+        skipHiddenObjects();
+    }
     const std::uint32_t plans = frame_.world->hasPlans ? levelsWithPlans() : 0;
     if (plans != 0) {
         meetTileWithPlans(plans);
-    } else if (object_ != objectsEnd_ && vista_->objects[*object_].along < leave_.along) {
+    } else if (nextObjectAlong() < leave_.along) {
         meetTileWithObjects();
     } else {
         meetStretch();

@@ -141,7 +141,10 @@ private:
     void goOn(bool leaveFirst);
     void meetHere();
     void meetCurrent();
-    double nextObjectAlong() const;
+    bool hasObject() const { return objects_ != nullptr && object_ < objects_->objects.size(); }
+    const FrameObject& object() const { return vista_->objects[objects_->objects[object_]]; }
+    // The next place along the ray where an object is, or where one has to be looked for.
+    double nextObjectAlong() const { return hasObject() ? object().along : objectsTo_; }
     void endWay(Pass pass);
     double whereToStop(int first, int last) const;
     Pass passTiles(bool leaveFirst) {
@@ -263,6 +266,7 @@ private:
     // ---- slice_objects.cpp
     void meetTileWithObjects();
     void meetObjectsBeyond();
+    void findObjects(double to);
     void skipHiddenObjects();
     double across(const FrameObject& object) const;
     Crossing crossingAt(const FrameObject& object) const;
@@ -361,9 +365,10 @@ private:
     TileRange here_;  // the current tile
     Crossing enter_;  // how the current tile, or the stretch after an object in it, was entered
     Crossing leave_;  // how it will be left: through its border, or at the next object
-    const int* object_ = nullptr;  // the next object that covers the column
-    const int* objectsEnd_ = nullptr;
-    SideView enteredSide_;  // only valid if enteredSideKnown_
+    const ColumnObjects* objects_ = nullptr;  // null in a map without objects
+    std::size_t object_ = 0;                  // of them, the next one that covers the column
+    double objectsTo_ = kNever;               // how far along the ray all are known
+    SideView enteredSide_;                    // only valid if enteredSideKnown_
     bool enteredSideKnown_ = false;
     std::uint32_t reached_ = 0;  // levels of the current tile whose blocks an open row may meet
     PlanEdges planEdges_;        // of the current tile

@@ -86,8 +86,9 @@ void Vistas::beginFrame(const World& world, const Eye& eye, const RenderOptions&
     fillInverseOffsets(*projection_, inverseOffsets_);
     mirroredInverseOffsets_.assign(inverseOffsets_.rbegin() + kRowsBeyond, inverseOffsets_.rend());
     mirroredInverseOffsets_.resize(inverseOffsets_.size());
-    used_ = 0;
-    objectRoom_.objects.clear();
+    vistas_.forgetAll();
+    firstOfMaps_.assign(world.maps.size(), nullptr);
+    objectRoom_.forgetAll();
     findWater();
 }
 
@@ -118,21 +119,22 @@ Vista& Vistas::mirrored(const Vista& from, std::int32_t height) {
 // #endregion
 
 Vista& Vistas::find(const Viewpoint& from) {
-    const Vista* sameMap = nullptr;
-    for (std::size_t i = 0; i < used_; ++i) {
-        Vista& vista = *vistas_[i];
-        if (vista.viewpoint == from) return vista;
-        if (vista.viewpoint.map == from.map) sameMap = &vista;
-    }
-    if (used_ == vistas_.size()) vistas_.push_back(std::make_unique<Vista>());
-    Vista& vista = *vistas_[used_++];
-    vista.begin(frame_, from,
-                from.upsideDown ? FrameRays{*mirroredProjection_, mirroredInverseOffsets_.data()}
-                                : FrameRays{*projection_, inverseOffsets_.data()},
-                sameMap, objectRoom_);
-    // The eye's own vista comes first, and all columns ask for its objects
-    if (used_ == 1) vista.objects.findAll();
-    return vista;
+    const std::uint64_t hash =
+        static_cast<std::uint64_t>(from.x) * 0x9e3779b97f4a7c15u +
+        static_cast<std::uint64_t>(from.y) * 0xbf58476d1ce4e5b9u +
+        static_cast<std::uint32_t>(from.z) * 0x94d049bb133111ebu +
+        static_cast<std::uint64_t>(8 * from.map + 2 * from.turn + (from.upsideDown ? 1 : 0));
+    return vistas_.find(from, hash ^ hash >> 40, [&](Vista& vista) {
+        const Vista*& first = firstOfMaps_[static_cast<std::size_t>(from.map)];
+        vista.begin(frame_, from,
+                    from.upsideDown
+                        ? FrameRays{*mirroredProjection_, mirroredInverseOffsets_.data()}
+                        : FrameRays{*projection_, inverseOffsets_.data()},
+                    first, objectRoom_);
+        if (first == nullptr) first = &vista;
+        // All columns ask for the objects that the eye sees in its own map
+        if (from == eyeView_) vista.objects.askTogether();
+    });
 }
 
 }  // namespace slicecast

@@ -17,6 +17,7 @@
 // into them without rounding.
 #pragma once
 
+#include "base/keyed_pool.h"
 #include "render/detail.h"
 #include "render/eye.h"
 #include "render/frame_objects.h"
@@ -112,8 +113,8 @@ private:
     std::vector<double> inverseOffsets_;
     std::vector<double> mirroredInverseOffsets_;
     std::vector<std::uint8_t> waterFogs_;  // by row: the fog where its rays leave the eye's water
-    std::vector<std::unique_ptr<Vista>> vistas_;
-    std::size_t used_ = 0;
+    KeyedPool<Viewpoint, Vista> vistas_;
+    std::vector<const Vista*> firstOfMaps_;  // by map: its first vista in this frame, or null
     FrameObjectRoom objectRoom_;
 };
 
