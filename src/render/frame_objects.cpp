@@ -12,7 +12,8 @@ namespace {
 
 constexpr double kEndless = std::numeric_limits<double>::infinity();
 
-constexpr int kGroup = 16;  // columns
+constexpr int kGroup = 16;            // columns
+constexpr std::size_t kTogether = 4;  // groups
 
 using Seen = FrameObjectRoom::Seen;
 
@@ -59,7 +60,10 @@ const ColumnObjects& FrameObjects::inColumn(int column, double from, double to) 
     const double nearest = std::min(from, list->from);
     const double farthest = nearest + std::max(kLeast, 2.0 * (to - nearest));
     if (together_) {
-        find(groups_, 0, kGroup, nearest, farthest);
+        const std::size_t group = static_cast<std::size_t>(column / kGroup) / kTogether * kTogether;
+        const std::span<ColumnObjects> groups(groups_);
+        find(groups.subspan(group, std::min(kTogether, groups.size() - group)),
+             static_cast<int>(group) * kGroup, kGroup, nearest, farthest);
     } else {
         find({list, 1}, column, 1, nearest, farthest);
     }

@@ -44,8 +44,12 @@ void SliceWalk::findObjects(double to) {
 }
 
 // Several columns share a list of objects; skips those that this one passes by, and those whose
-// rows are closed.
+// rows are closed. A full column has no more objects.
 void SliceWalk::skipHiddenObjects() {
+    if (isFull()) {
+        objects_ = nullptr;
+        objectsTo_ = kNever;
+    }
     for (; hasObject(); ++object_) {
         const FrameObject& object = this->object();
         if (!open_.mayHold(object.firstRow, object.lastRow)) continue;

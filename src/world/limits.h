@@ -42,7 +42,7 @@ inline constexpr double kDefaultFar = 10'000.0;  // units; beyond it the floor i
 inline constexpr double kMaxFar = 100'000.0;     // units; floor positions are precise up to here
 
 inline constexpr int kMaxSpriteSide = 1024;  // texels
-// Of all maps: a frame looks at each object of a map, once for each vista of that map.
+// Of all maps: a frame looks for them where its slices walk.
 inline constexpr int kMaxObjects = 65'536;
 inline constexpr int kMaxMovingObjects = 4'096;  // a step looks at the surroundings of each
 // Levels that the bodies of all moving objects may reach into: a step looks at each. One that is at
@@ -51,7 +51,7 @@ inline constexpr int kMaxMovingObjects = 4'096;  // a step looks at the surround
 inline constexpr int kMaxMovingLevels = 8'192;
 inline constexpr int kMaxPortals = 65'535;  // a PortalId has 16 bits, the last value means none
 // Places that portals lead to, each seen from a point of its own; portals that lead on alike, as
-// the parts of a wide one, count as one. A frame looks for the objects of each place that it sees.
+// the parts of a wide one, count as one.
 inline constexpr std::size_t kMaxPortalWays = 256;
 inline constexpr int kDefaultPortalLimit = 8;  // portals that one ray passes
 inline constexpr int kMaxPortalLimit = 32;

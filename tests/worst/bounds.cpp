@@ -4,8 +4,10 @@
 //     loading    kMostLoad times the processor time of the castle's frame, without its images
 //     a slice    kMostSlice times the same: of loading, between two pauses of a page
 //     a step     kMostStep times the same, at any of the first steps
+//     a picture  kMostPicture times the same, after these steps
 //
 //     slicecast-bounds ASSETS [NAME]     a folder with scenes/castle.json; one scene alone
+#include "base/random.h"
 #include "files/scene_file.h"
 #include "scene/limits.h"
 #include "session/session.h"
@@ -26,6 +28,7 @@ namespace {
 constexpr double kMostLoad = 100.0;
 constexpr double kMostSlice = 10.0;
 constexpr double kMostStep = 5.0;
+constexpr double kMostPicture = 50.0;
 // Times vary on a busy machine.
 constexpr double kSlack = 1.5;
 constexpr int kTries = 5;
@@ -664,6 +667,64 @@ std::string everything() {
     return scene.text();
 }
 
+// Seven levels of water, slopes, halves and posts, so that a slice has mirrors at eight heights,
+// and is full of see-through runs in each.
+std::string waterAndGlass() {
+    constexpr int kSide = 153;
+    Scene scene;
+    scene.textures += R"(,"g":"../see-through/glass-pane.png")";
+    scene.blueprints = R"(
+"w":{"top":0.75,"water":true,"faces":{"top":{"texture":"g","mirror":0.375,"ripples":1}}},
+"r":{"top":[0,1],"rise":"north","faces":"g"},"v":{"bottom":[0.5,0.1],"rise":"east","faces":"g"},
+"i":{"plan":[0.4,0.4,0.6,0.6],"faces":"g"},"b":{"plan":[0.45,0,0.55,1],"join":false,"faces":"g"},
+"n":{"diagonal":"north-west","faces":"g"},"s":{"diagonal":"south-east","faces":"g"})";
+    scene.legend = R"("w":"w","r":"r","v":"v","i":"i","b":"b","n":"n","s":"s")";
+    Random random(1);
+    for (int i = 0; i < 7; ++i) {
+        scene.levels += (i == 0 ? "" : ",") + level(kSide, kSide, [&](int, int) {
+                            return random.oneIn(4) ? '.' : "wwwwwwwrvibns"[random.below(13)];
+                        });
+    }
+    scene.map = R"(,"ceiling":{"texture":"a","height":15.9})";
+    scene.start = R"("x":76.5,"y":76.5,"z":7,"heading":20)";
+    return scene.text();
+}
+
+// A ring of portals that lead back into it, turned: a picture has thousands of views of a map with
+// very many objects.
+std::string ringOfPortals() {
+    constexpr int kSide = 120;
+    constexpr int kMiddle = kSide / 2;
+    constexpr int kRadius = 28;
+    Scene scene;
+    Random random(1);
+    const auto isRing = [](int x, int y) {
+        return std::max(std::abs(x - kMiddle), std::abs(y - kMiddle)) == kRadius;
+    };
+    std::string portals;
+    for (int y = 0; y < kSide; ++y) {
+        for (int x = 0; x < kSide; ++x) {
+            if (!isRing(x, y)) continue;
+            const int dx = x - kMiddle;
+            const char* const face = std::abs(dx) == kRadius ? (dx > 0 ? "west" : "east")
+                                                             : (y > kMiddle ? "north" : "south");
+            portals += std::string(portals.empty() ? "" : ",") + R"({"x":)" + ::text(x) +
+                       R"(,"y":)" + ::text(y) + R"(,"level":0,"face":")" + face +
+                       R"(","to":{"x":)" + ::text(kMiddle + random.between(-4, 4)) + R"(,"y":)" +
+                       ::text(kMiddle + random.between(-4, 4)) + R"(,"level":0},"turn":)" +
+                       ::text(90 * random.below(4)) + "}";
+        }
+    }
+    scene.blueprints = R"("b":{"faces":"a"})";
+    scene.legend = R"("#":"b")";
+    scene.levels = level(kSide, kSide, [&](int x, int y) { return isRing(x, y) ? '#' : '.'; });
+    scene.map =
+        R"(,"sow":[{"sprite":"s","density":1,"height":[0.02,0.06]}],"portals":[)" + portals + "]";
+    scene.rest = R"(,"portalLimit":32)";
+    scene.start = R"("x":60.5,"y":60.5,"heading":20)";
+    return scene.text();
+}
+
 struct Case {
     const char* name;
     std::string (*text)();
@@ -705,6 +766,8 @@ constexpr Case kCases[] = {
     {"alike names", manyAlikeNames, 3},
     {"sheets", manySheets, 3},
     {"everything", everything, 40},
+    {"water and glass", waterAndGlass, 1},
+    {"ring of portals", ringOfPortals, 1},
 };
 
 // ---- Costs
@@ -715,26 +778,30 @@ double secondsUsed() {
     return static_cast<double>(time.tv_sec) + 1e-9 * static_cast<double>(time.tv_nsec);
 }
 
-// The castle's slowest frame of some directions.
-double castleSeconds(const World& castle) {
+// The best of some; the first one makes light.
+double pictureSeconds(Session& session) {
     constexpr int kWidth = 640;
     constexpr int kHeight = 400;
-    constexpr int kHeadings = 4;
     static std::vector<Pixel> pixels(std::size_t{kWidth} * kHeight);
-    const Picture picture{pixels.data(), kWidth, kHeight, kWidth};
+    double best = 1e9;
+    for (int i = 0; i < 3; ++i) {
+        const double begin = secondsUsed();
+        session.draw({pixels.data(), kWidth, kHeight, kWidth});
+        best = std::min(best, secondsUsed() - begin);
+    }
+    return best;
+}
+
+// The castle's slowest picture of some directions.
+double castleSeconds(const World& castle) {
+    constexpr int kHeadings = 4;
     Session session(castle.copy());
     double slowest = 0.0;
     for (int heading = 0; heading < kHeadings; ++heading) {
         Eye eye = session.eye();
         eye.headingDegrees = 20.0 + heading * 360.0 / kHeadings;
         session.setEye(eye);
-        double best = 1e9;
-        for (int i = 0; i < 3; ++i) {
-            const double begin = secondsUsed();
-            session.draw(picture);
-            best = std::min(best, secondsUsed() - begin);
-        }
-        slowest = std::max(slowest, best);
+        slowest = std::max(slowest, pictureSeconds(session));
     }
     return slowest;
 }
@@ -744,6 +811,7 @@ struct Cost {
     double load = 0.0;   // all of it, but reading files
     double slice = 0.0;  // of loading, the slowest
     double step = 0.0;   // the slowest
+    double picture = 0.0;
     std::vector<Fault> faults = {};
 };
 
@@ -782,6 +850,7 @@ Cost costOf(const std::string& text, const std::filesystem::path& folder, int st
         session.step({.forward = 1.0, .use = i % 2 == 0});
         cost.step = std::max(cost.step, secondsUsed() - begin);
     }
+    cost.picture = pictureSeconds(session);
     return cost;
 }
 
@@ -803,30 +872,30 @@ int main(int argc, char** argv) {
             std::printf("%s: %zu bytes\n", name, text.size());
             ++over;
         }
-        double load = 1e9;
-        double step = 1e9;
-        double slice = 1e9;
-        double parse = 1e9;
+        Cost best = {1e9, 1e9, 1e9, 1e9, 1e9};  // castles
         bool isRefused = false;
-        for (int i = 0; i < kTries && (load > kMostLoad || slice > kMostSlice || step > kMostStep);
-             ++i) {
-            if (i > 0 && (load > 3.0 * kMostLoad || step > 3.0 * kMostStep)) break;
+        const auto isOver = [&](double slack) {
+            return best.load > kMostLoad * slack || best.slice > kMostSlice * slack ||
+                   best.step > kMostStep * slack || best.picture > kMostPicture * slack;
+        };
+        for (int i = 0; i < kTries && isOver(i > 0 ? 1.0 : 0.0); ++i) {
+            if (i > 0 && isOver(10.0)) break;
             const double unit = castleSeconds(*castle.world);
             const Cost cost = costOf(text, folder, steps);
             isRefused = !cost.faults.empty();
             if (isRefused) std::printf("%s\n", describe(cost.faults[0]).c_str());
-            load = std::min(load, cost.load / unit);
-            parse = std::min(parse, cost.parse / unit);
-            step = std::min(step, cost.step / unit);
-            slice = std::min(slice, cost.slice / unit);
+            best.load = std::min(best.load, cost.load / unit);
+            best.parse = std::min(best.parse, cost.parse / unit);
+            best.step = std::min(best.step, cost.step / unit);
+            best.slice = std::min(best.slice, cost.slice / unit);
+            best.picture = std::min(best.picture, cost.picture / unit);
         }
-        const bool isOver =
-            load > kMostLoad * kSlack || slice > kMostSlice * kSlack || step > kMostStep * kSlack;
-        over += isOver;
+        over += isOver(kSlack);
         std::printf(
-            "%-28s %6zu bytes, load %7.1f castles (text %6.1f, a slice %5.1f), step %7.2f%s%s\n",
-            name, text.size(), load, parse, slice, step, isRefused ? ", refused" : "",
-            isOver ? "  TOO MUCH" : "");
+            "%-26s %6zu bytes, load %6.1f castles (text %6.1f, a slice %5.1f), step %5.2f, "
+            "picture %5.1f%s%s\n",
+            name, text.size(), best.load, best.parse, best.slice, best.step, best.picture,
+            isRefused ? ", refused" : "", isOver(kSlack) ? "  TOO MUCH" : "");
         std::fflush(stdout);
     }
     std::printf("a castle's frame takes %.2f ms\n", 1e3 * castleSeconds(*castle.world));
