@@ -229,7 +229,15 @@ unsigned StripWalk::crossing(int v) {
 unsigned StripWalk::withObjects(unsigned bits) {
     unsigned found = 0;
     eachLane(bits, [&](int i) {
-        if (crossingOf(i, Border::leave).along > lane(i).nextObjectAlong()) found |= 1u << i;
+        SliceWalk& walk = lane(i);
+        const double leave = crossingOf(i, Border::leave).along;
+        if (leave > walk.objectsTo_) {
+            comeTo(i, v_);
+            walk.findObjects(leave);
+            walk.skipHiddenObjects();
+            coverChanged_ = true;
+        }
+        if (leave > walk.nextObjectAlong()) found |= 1u << i;
     });
     return found;
 }
