@@ -157,7 +157,8 @@ void LightFans::makeKind(LightScene& scene, Kind& kind) {
     kind.sun = sun.made();
     const std::size_t sets = kind.sky.sets.size() + kind.sun.sets.size();
     sets_ += sets;
-    scene.addWork(static_cast<LightWork>(sets));
+    constexpr LightWork kWorkOfSet = 4;
+    scene.addWork(kWorkOfSet * static_cast<LightWork>(sets));
 }
 
 LightFans::LightFans(std::size_t sharing) : met_(kMetPlaces / sharing) {}

@@ -11,6 +11,7 @@
 #include "files/scene_file.h"
 #include "scene/limits.h"
 #include "session/session.h"
+#include "warm_heap.h"
 
 #include <algorithm>
 #include <array>
@@ -861,6 +862,7 @@ int main(int argc, char** argv) {
         std::fprintf(stderr, "usage: slicecast-bounds ASSETS [NAME]\n");
         return 2;
     }
+    warmHeap();
     const std::filesystem::path folder = std::filesystem::path(argv[1]) / "scenes";
     const LoadedScene castle = readSceneFile(folder / "castle.json");
     if (!castle.world) return 1;

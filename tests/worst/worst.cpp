@@ -22,6 +22,7 @@
 #include "files/scene_file.h"
 #include "scene_maker.h"
 #include "session/session.h"
+#include "warm_heap.h"
 
 #include <malloc.h>
 #include <algorithm>
@@ -390,6 +391,7 @@ int main(int argc, char** argv) {
         std::fprintf(stderr, "usage: slicecast-worst SCENES ASSETS SCHEMA [SEED]\n");
         return 2;
     }
+    warmHeap();
     Search search(argv[2], textOf(argv[3]), static_cast<std::uint64_t>(seed));
     search.run(scenes);
     return search.isPassed(scenes) ? 0 : 1;
