@@ -133,6 +133,50 @@ TEST_F(AppTest, DrawsTheFirstPictureInSlices) {
     EXPECT_GT(app.game()->steps(), 30);
 }
 
+// Blocks of all heights under a bright sky, from above: their light takes longer than a first
+// picture may.
+World fieldOfHeights() {
+    Random random(1);
+    World world = makeField();
+    world.maps[0] = makeMap("heights", 160, 160, 3, 0);
+    Map& map = world.maps[0];
+    map.baked.on = true;
+    map.baked.sun = {200, 200, 200, 255};
+    map.baked.ambient = {90, 90, 90, 255};
+    for (int i = 0; i < 40; ++i) {
+        CellBlueprint& block = world.blueprints.emplace_back(world.blueprints[1]);
+        block.top = Coordinate{random.between(20'000, 65'536)};
+        for (int n = 0; n < 400; ++n)
+            map.setCell(random.below(160), random.below(160), random.below(3),
+                        static_cast<BlueprintId>(world.blueprints.size() - 1));
+    }
+    world.start = {.map = 0,
+                   .x = toCoordinate(2.5),
+                   .y = toCoordinate(2.5),
+                   .z = tileEdge(9),
+                   .headingDegrees = 45.0};
+    return world;
+}
+
+TEST_F(AppTest, ShowsAFirstPictureWhoseLightIsLate) {
+    app.resize(640, 400);
+    app.play(std::make_unique<Session>(fieldOfHeights()));
+    for (const int shown = shell.shown; shell.shown == shown;) app.frame(shell.now);
+    EXPECT_GT(app.game()->report().unlit, 0);
+    const std::vector<Pixel> first = shell.last;
+    // The rest comes with later pictures, at most some light in each
+    app.keyDown(SDL_SCANCODE_P, false);
+    for (int i = 0; i < 200 && app.wantsFrame(); ++i) {
+        app.frame(shell.now);
+        EXPECT_LT(app.game()->report().lightWork, 2 * kLightOfPicture);
+    }
+    EXPECT_EQ(app.game()->report().unlit, 0);
+    std::vector<Pixel> whole(640 * 400);
+    ASSERT_TRUE(app.game()->draw({whole.data(), 640, 400, 640}));
+    EXPECT_TRUE(shell.last == whole);
+    EXPECT_TRUE(first != whole);
+}
+
 // What changes in between is in all of the picture.
 TEST_F(AppTest, BeginsTheFirstPictureAnewWhenSomethingChanges) {
     app.resize(640, 40);
