@@ -181,8 +181,8 @@ test("the browser's own shortcuts still work", async (t) => {
   assert.equal(taken['Alt KeyD'], false);
   assert.equal(taken['Meta KeyW'], false);
   assert.equal(taken.F5, false);
-  assert.equal(taken.KeyW, true);
-  assert.equal(taken.ArrowUp, true);
+  assert.equal(taken.KeyW, undefined); // the picture's own do not reach the page
+  assert.equal(taken.ArrowUp, undefined);
 });
 
 test('Escape leaves the canvas and pauses play', async (t) => {

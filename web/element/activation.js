@@ -213,11 +213,12 @@ export class Activation {
   set holdsPointer(holds) {
     this.#pointerHeld.abort();
     this.#pointerHeld = new AbortController();
-    if (holds)
-      this.tree.box.addEventListener('wheel', (event) => event.preventDefault(), {
-        passive: false,
-        signal: this.#pointerHeld.signal,
-      });
+    const keep = (event) => {
+      event.preventDefault();
+      event.stopPropagation();
+    };
+    const { signal } = this.#pointerHeld;
+    if (holds) this.tree.box.addEventListener('wheel', keep, { passive: false, signal });
   }
 
   // The element sets it when the engine reports the event "fly".

@@ -58,6 +58,7 @@ export class Show {
   #isSeen = false;
   #isAskedToPlay = false;
   #isTouched = false;
+  #lastPress = null; // the event
   #pending = null; // {touch, mouse} of a press that waits for steering.js to load
   #stands = true;
   #pictures = 0;
@@ -449,8 +450,9 @@ export class Show {
   #listenToPresses({ box, cover }) {
     box.addEventListener(
       'pointerdown',
-      ({ pointerType }) => {
-        this.#isTouched = pointerType === 'touch';
+      (event) => {
+        this.#isTouched = event.pointerType === 'touch';
+        this.#lastPress = event;
       },
       { capture: true },
     );
@@ -461,7 +463,13 @@ export class Show {
       },
       { capture: true },
     );
-    cover.addEventListener('click', () => this.hold());
+    // The page's own listeners come first: it may keep a click by preventDefault().
+    cover.addEventListener('click', (event) => {
+      const press = event.detail > 0 ? this.#lastPress : null; // none of a key
+      setTimeout(() => {
+        if (!event.defaultPrevented && press?.defaultPrevented !== true) this.hold();
+      });
+    });
   }
 
   // Loads steering.js when somebody may soon steer, or the bar is wanted.
@@ -481,6 +489,7 @@ export class Show {
 
   #see(isSeen) {
     this.#isSeen = isSeen;
+    if (!isSeen) this.#steering?.end();
     this.run();
   }
 

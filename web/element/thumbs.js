@@ -15,6 +15,10 @@ const kRunning = 1.5; // radii from the middle at which running starts
 const kTapMilliseconds = 250; // a longer touch is not a tap
 const kTapPixels = 12; // nor is one that moves further
 const kBetweenTaps = 350; // milliseconds at most
+const kEvents = ['start', 'move', 'end', 'cancel']
+  .map((what) => `touch${what}`)
+  .concat(['down', 'move', 'up', 'cancel'].map((what) => `pointer${what}`))
+  .concat(['mousedown', 'mousemove', 'mouseup', 'click']);
 const kJumpMilliseconds = 120; // how long a tap holds jump or use: long enough for a step to see it
 
 // Turns the thumb's offset from the stick's middle into axes right and down, -1 to 1, and whether
@@ -51,6 +55,8 @@ export class Thumbs {
     // Prevents loss of focus, zooming and text selection.
     for (const type of ['mousedown', 'touchstart', 'contextmenu'])
       root.addEventListener(type, (event) => event.preventDefault(), { passive: false });
+    // A page around it may turn its slides by swiping.
+    for (const type of kEvents) root.addEventListener(type, (event) => event.stopPropagation());
   }
 
   set flying(flying) {

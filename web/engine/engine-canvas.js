@@ -1,5 +1,6 @@
 // A canvas as the engine's screen, keyboard and mouse. Listeners use the capture phase, so they run
-// before the page's own; the engine decides which keys it takes from the page.
+// before the page's own. What the engine takes, keys and the motion of a held pointer, goes no
+// further: a page around it has shortcuts of its own.
 //
 //     const screen = openCanvas(canvas, exports, {writeCode, takesKey});
 //     screen.show(buffer, at, width, height);         // pixels at that address of the memory
@@ -12,6 +13,11 @@
 // to steer by the cursor.
 const kLockRestMilliseconds = 2000;
 
+// Browsers now and then report one motion of some hundred pixels out of nowhere. A hand speeds up
+// over several events; should it not, only the first one is lost.
+const kWildPixels = 150;
+const kWildFactor = 8; // times the motion before
+
 export function openCanvas(canvas, exports, { writeCode, takesKey }) {
   const page = canvas.ownerDocument; // may differ from the script's document
   const context = canvas.getContext('2d', { alpha: false });
@@ -21,6 +27,7 @@ export function openCanvas(canvas, exports, { writeCode, takesKey }) {
     target.addEventListener(type, listener, { ...until, capture: true });
   let image = null; // a view of the engine's memory; invalid once that memory grows
 
+  const down = new Set(); // codes of keys that the engine took
   const key = (event, isDown) => {
     if (!takesKey(event.code)) return;
     writeCode(event.code);
@@ -29,7 +36,10 @@ export function openCanvas(canvas, exports, { writeCode, takesKey }) {
       (event.altKey ? 2 : 0) |
       (event.metaKey ? 4 : 0) |
       (event.repeat ? 8 : 0);
-    if (exports.slicecastKey(isDown, flags)) event.preventDefault();
+    const isTaken = exports.slicecastKey(isDown, flags);
+    if (isTaken) event.preventDefault();
+    if (isDown && isTaken) down.add(event.code);
+    if (isDown ? isTaken : down.delete(event.code)) event.stopPropagation();
   };
   on(canvas, 'keydown', (event) => key(event, 1));
   on(canvas, 'keyup', (event) => key(event, 0));
@@ -37,7 +47,14 @@ export function openCanvas(canvas, exports, { writeCode, takesKey }) {
   on(page, 'visibilitychange', () => exports.slicecastHidden(page.hidden ? 1 : 0));
 
   // Reports the motion, and the cursor's place (-1 to 1 from edge to edge) if the engine wants it.
-  on(canvas, 'mousemove', ({ clientX, clientY, movementX, movementY }) => {
+  let lastMotion = 0; // pixels
+  on(canvas, 'mousemove', (event) => {
+    const { clientX, clientY, movementX, movementY } = event;
+    if (holdsPointer()) event.stopPropagation();
+    const motion = Math.hypot(movementX, movementY);
+    const isWild = motion > kWildPixels && motion > kWildFactor * lastMotion;
+    lastMotion = motion;
+    if (isWild && holdsPointer()) return;
     if (!exports.slicecastPointerMoved(movementX, movementY)) return;
     const { left, top, width, height } = canvas.getBoundingClientRect();
     if (width > 0 && height > 0)
@@ -81,8 +98,7 @@ export function openCanvas(canvas, exports, { writeCode, takesKey }) {
       canvas.focus({ preventScroll: true });
       if ((pointerType && pointerType !== 'mouse') || holdsPointer()) return;
       hasAsked = true;
-      if (canvas.requestPointerLock) canvas.requestPointerLock()?.catch(refused);
-      else refused();
+      holdPointer(canvas).catch(refused);
     },
     until,
   );
@@ -104,4 +120,15 @@ export function openCanvas(canvas, exports, { writeCode, takesKey }) {
       listeners.abort();
     },
   };
+}
+
+// The mouse's own motion, which no system speeds up, where the browser offers it. Rejects if the
+// pointer cannot be held.
+async function holdPointer(canvas) {
+  try {
+    await canvas.requestPointerLock({ unadjustedMovement: true });
+  } catch (error) {
+    if (error.name !== 'NotSupportedError') throw error;
+    await canvas.requestPointerLock();
+  }
 }

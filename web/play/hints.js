@@ -59,8 +59,9 @@ export class Hints {
     this.#caster = caster;
     this.#line = line;
     this.#known = readKnown();
-    caster.addEventListener('keydown', ({ code }) => this.#held.add(code));
-    caster.addEventListener('keyup', ({ code }) => this.#held.delete(code));
+    const early = { capture: true }; // the picture keeps the keys that it takes
+    caster.addEventListener('keydown', ({ code }) => this.#held.add(code), early);
+    caster.addEventListener('keyup', ({ code }) => this.#held.delete(code), early);
     caster.addEventListener('enterchange', () => this.#enterChanged());
     caster.addEventListener('ready', () => {
       this.#last = null;

@@ -4,9 +4,10 @@
 export function guardLeaving(caster) {
   let asks = false;
   for (const type of ['keydown', 'keyup']) {
-    caster.addEventListener(type, (event) => {
+    const listen = (event) => {
       asks = event.ctrlKey && event.code !== 'KeyR' && caster.entered;
-    });
+    };
+    caster.addEventListener(type, listen, { capture: true });
   }
   caster.addEventListener('enterchange', () => {
     asks &&= caster.entered;
