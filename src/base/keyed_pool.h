@@ -44,7 +44,8 @@ private:
         std::unique_ptr<Thing> thing;
     };
 
-    void grow() {
+    // Not inlined: it is rare.
+    __attribute__((noinline)) void grow() {
         slots_.assign(2 * slots_.size(), 0);
         for (std::size_t i = 0; i < used_; ++i) {
             std::size_t slot = entries_[i].hash & (slots_.size() - 1);

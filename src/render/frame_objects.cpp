@@ -59,14 +59,14 @@ const ColumnObjects& FrameObjects::inColumn(int column, double from, double to) 
     constexpr double kLeast = 16.0;  // units
     const double nearest = std::min(from, list->from);
     const double farthest = nearest + std::max(kLeast, 2.0 * (to - nearest));
+    std::span<ColumnObjects> lists = {list, 1};
+    int first = column;
     if (together_) {
         const std::size_t group = static_cast<std::size_t>(column / kGroup) / kTogether * kTogether;
-        const std::span<ColumnObjects> groups(groups_);
-        find(groups.subspan(group, std::min(kTogether, groups.size() - group)),
-             static_cast<int>(group) * kGroup, kGroup, nearest, farthest);
-    } else {
-        find({list, 1}, column, 1, nearest, farthest);
+        lists = std::span(groups_).subspan(group, std::min(kTogether, groups_.size() - group));
+        first = static_cast<int>(group) * kGroup;
     }
+    find(lists, first, together_ ? kGroup : 1, nearest, farthest);
     return *list;
 }
 

@@ -166,7 +166,7 @@ private:
     bool mayAddLayer(int firstRow, int lastRow) const {
         return !isFull() && open_.mayHold(firstRow, lastRow);
     }
-    std::uint32_t withoutLayers(int x, int y, std::uint32_t levels) const;
+    __attribute__((noinline)) std::uint32_t withoutLayers(int x, int y, std::uint32_t levels) const;
 
     // ---- slice_cover.cpp
     void takeFloor(Border upTo);
@@ -266,7 +266,7 @@ private:
     // ---- slice_objects.cpp
     void meetTileWithObjects();
     void meetObjectsBeyond();
-    void findObjects(double to);
+    __attribute__((noinline)) void findObjects(double to);
     void skipHiddenObjects();
     double across(const FrameObject& object) const;
     Crossing crossingAt(const FrameObject& object) const;
