@@ -113,6 +113,42 @@ test('a door faces the side that one comes from', () => {
   assert.deepEqual(maps[0].levels[0].map((row) => row[1]).join(''), '.+.#‖#');
 });
 
+test('rows of numbers, and a legend that says what they mean', async () => {
+  const map = [
+    [1, 1, 1, 1],
+    [1, 0, 2, 1],
+    [1, 1, 1, 1],
+  ];
+  const legend = { 0: '.', 1: '#', 2: '>' };
+  const asTyped = sceneOfRows('####\n#.>#\n####');
+  assert.deepEqual(sceneOfRows(map, { legend }), asTyped);
+  assert.deepEqual(sceneOfRows('1111\nE0N1\n1111\n--- legend\n1=#\n0=.\nN=>\nE=#'), asTyped);
+  assert.deepEqual(
+    sceneOfRows([map, [[0, 1, 1, 0]]], { legend }),
+    sceneOfRows([['####', '#.>#', '####'], ['.##.']]),
+  );
+  const { faults } = await play(map, { legend });
+  assert.deepEqual(faults, []);
+  // Without a legend 1 and 2 are steps, and 0 is nothing.
+  assert.match(faultsOf(map).faults[0].message, /^rows:2:2: found "0", expected one of/);
+});
+
+test('rows that are no rows are a fault', () => {
+  const expected =
+    'expected a text, a list of rows, or a list of levels of rows; a row is a text, or a list of numbers from 0 to 9';
+  for (const [rows, found] of [
+    [5, '5'],
+    [null, 'null'],
+    [undefined, 'undefined'],
+    [{ length: 2 }, 'an object'],
+    [['##', 7], '7'],
+    [[[1, 12]], '1'],
+    [[[[1, 0]], [true]], 'true'],
+    [[[[[1]]]], 'an object'],
+  ])
+    assert.equal(faultsOf(rows).faults[0].message, `rows: found the rows ${found}, ${expected}`);
+});
+
 test('levels of rows are stacked, in text and in lists', async () => {
   const text = `
     #####

@@ -3,10 +3,11 @@
 //     const { levels, size, legend, colours, strays } = readRows(text);
 //     const tiles = padded(levels);
 //
-// readRows also takes a list of rows, or a list of levels of rows. `levels` are rows as texts of
-// any length; `size` is {width, depth} of the largest. padded() makes rows of single characters,
-// all of one length, as many on each level. `legend` holds the legend's lines; `strays` are lines
-// that mean nothing.
+// readRows also takes a list of rows, or a list of levels of rows; a row may be a list of numbers
+// from 0 to 9. If it finds something else, it returns {wrong}, the name of that. `levels` are rows
+// as texts of any length; `size` is {width, depth} of the largest. padded() makes rows of single
+// characters, all of one length, as many on each level. `legend` holds the legend's lines;
+// `strays` are lines that mean nothing.
 //
 // Rows may come from strangers: readRows takes time linear in the text. Only padded() can take
 // more.
@@ -17,16 +18,30 @@ const kLegendLine = /^(\S+?)\s*=\s*(\S.*)$/s;
 
 export function readRows(rows) {
   if (typeof rows === 'string') return readText(rows);
-  const lists = rows.some(Array.isArray)
-    ? rows
-    : rows.some((row) => /\n/.test(row))
-      ? rows
-      : [rows];
-  const levels = lists.map((level) =>
-    (Array.isArray(level) ? level : linesOf([level])[0]).map(String),
-  );
+  const typed = withRowsAsText(rows);
+  const strange = typed.flat().filter((row) => typeof row !== 'string');
+  if (strange.length > 0) return { wrong: nameOf(strange[0]) };
+  const lists = typed.some((row) => Array.isArray(row) || /\n/.test(row)) ? typed : [typed];
+  const levels = lists.map((level) => (Array.isArray(level) ? level : linesOf([level])[0]));
   return { levels, size: sizeOf(levels), legend: {}, colours: false, strays: [] };
 }
+
+const isRowOfNumbers = (row) =>
+  Array.isArray(row) &&
+  row.length > 0 &&
+  row.every((one) => Number.isInteger(one) && one >= 0 && one <= 9);
+
+// Rows, or levels of rows, in which rows of numbers are texts: [1, 0, 1] is "101".
+function withRowsAsText(rows) {
+  const textOf = (row) => (isRowOfNumbers(row) ? row.join('') : row);
+  const isLevel = (row) => Array.isArray(row) && !isRowOfNumbers(row);
+  return Array.isArray(rows)
+    ? rows.map((row) => (isLevel(row) ? row.map(textOf) : textOf(row)))
+    : [rows];
+}
+
+const nameOf = (value) =>
+  typeof value === 'object' && value !== null ? 'an object' : String(value);
 
 function readText(text) {
   const parts = [{ word: '', lines: [] }];

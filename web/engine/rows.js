@@ -36,6 +36,7 @@
 //     ####        y = sandstone 0.5        half as high
 //                 g = sand floor           a floor
 //                 # = brick                # with another texture; also `blank` and `sky`
+//                 1 = #                    what # means, as for maps of numbers
 
 import { padded, readRows } from './rows-text.js';
 import { sceneFault } from './trouble.js';
@@ -112,6 +113,8 @@ const kColour = /^#([0-9a-f]{3}){1,2}$/i;
 const kUnfit = /^[\p{C}\p{M}\p{Z}‖▪]$/u; // the engine shows no such letters; two are our own
 const kMeaning =
   'a texture, a colour as #c03020 or a .png file; behind it "floor" or a height up to 1';
+const kRows =
+  'a text, a list of rows, or a list of levels of rows; a row is a text, or a list of numbers from 0 to 9';
 const kMostTiles = 2 ** 20; // on all levels together: far more than people type
 const kMostFaults = 1000; // a longer list helps nobody
 const kOfMap = ['sky', 'light', 'fog', 'haze'];
@@ -123,11 +126,15 @@ export function sceneOfRows(
   rows,
   { title = 'A map', name = 'rows', legend, textures, ...rest } = {},
 ) {
-  const { levels: texts, size, strays, ...inText } = readRows(rows);
+  const { levels: texts, size, strays, wrong, ...inText } = readRows(rows);
+  if (wrong !== undefined)
+    throw sceneFault(name, [faultAt(name, null, `the rows ${wrong}`, kRows)]);
   checkSize(name, texts.length, size);
-  const levels = padded(texts);
   const hasColours = inText.colours || rest.colours === true;
   const own = readLegend({ ...inText.legend, ...legend });
+  const levels = padded(texts).map((level) =>
+    level.map((row) => row.map((character) => own.alike.get(character) ?? character)),
+  );
   const tiles = levels.flatMap((level, z) =>
     level.flatMap((row, y) => row.map((character, x) => ({ character, x, y, z }))),
   );
@@ -218,11 +225,12 @@ export function sceneOfObject({ rows, ...others }, name) {
 // ---- The legend
 
 // Returns {floors: character -> texture, blocks: character -> {texture, height} or {blueprint},
-// sky, faults, named: all characters}.
+// alike: character -> the one whose meaning it has, sky, faults, named: all characters}.
 function readLegend(legend) {
   const own = {
     floors: { ...kFloors },
     blocks: new Map(),
+    alike: new Map(),
     sky: null,
     faults: [],
     named: Object.keys(legend),
@@ -240,7 +248,8 @@ function readLegend(legend) {
         ? typeof meaning === 'object' && meaning !== null
         : (kColour.test(texture) || /^[\w-]+$|\.png$/i.test(texture)) &&
           (height === null || (height > 0 && height <= 1)));
-    if (key === 'sky' && isSound) own.sky = texture ?? meaning;
+    if (kLegend.has(meaning) && [...character].length === 1) own.alike.set(character, meaning);
+    else if (key === 'sky' && isSound) own.sky = texture ?? meaning;
     else if ([...character].length !== 1 || !isSound)
       own.faults.push([`the meaning of "${key}", ${JSON.stringify(meaning)}`, kMeaning]);
     else if (!isFloor && (character === ' ' || character === '.'))
