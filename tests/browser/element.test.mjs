@@ -453,6 +453,40 @@ test('a mistake in an attribute gives a warning, and the rest is drawn', async (
   );
 });
 
+// A lamp needs baked light, so a lamp without it is a probable mistake.
+test('a probable mistake in a scene is a warning, until another scene is shown', async (t) => {
+  const { page } = await openElements(t, browser, kRoom);
+  await ready(page, 'a');
+  assert.deepEqual(await page.evaluate(() => document.getElementById('a').warnings), []);
+  const warnings = await page.evaluate(async () => {
+    const a = document.getElementById('a');
+    a.scene = {
+      title: 'Dark',
+      textures: { wall: '#806040' },
+      blueprints: {
+        wall: { faces: { all: 'wall', top: { texture: 'wall', lamp: { radius: 3 } } } },
+      },
+      legend: { '#': 'wall' },
+      maps: [{ name: 'map', levels: [['####', '#..#', '####']], floor: 'wall' }],
+      start: { x: 1.5, y: 1.5 },
+    };
+    await a.whenReady();
+    return a.warnings;
+  });
+  assert.deepEqual(
+    warnings.map(({ attribute }) => attribute),
+    ['scene'],
+  );
+  assert.match(warnings[0].message, /found a lamp, but no map with "baked"/);
+  const later = await page.evaluate(async () => {
+    const a = document.getElementById('a');
+    a.scene = 'room';
+    await a.whenReady();
+    return a.warnings;
+  });
+  assert.deepEqual(later, []);
+});
+
 test('unusual but clear spellings give no warning', async (t) => {
   const { page } = await openElements(
     t,

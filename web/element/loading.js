@@ -169,6 +169,8 @@ export class Loading {
       const isThere = await this.#game.load({ ...request, warn, onProgress });
       if (!isThere || isStale()) return;
       this.#loaded = key;
+      const warnOfScene = this.warnings.renew('scene');
+      for (const { message } of this.#game.engine.warnings) warnOfScene('scene', message);
       if (!request.keepEye) this.#options = this.#view = null;
       this.#isReady = false;
       this.#actions.loaded();

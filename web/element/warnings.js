@@ -1,4 +1,5 @@
-// The warnings of a <ray-caster>: bad values of attributes, which it ignores.
+// The warnings of a <ray-caster>: bad values of attributes, which it ignores, and probable mistakes
+// in its scene.
 //
 //     const warnings = new Warnings(({attribute, message}) => {...});
 //     const warn = warnings.renew('options');       // forgets earlier warnings of this subject
