@@ -231,12 +231,12 @@ unsigned StripWalk::withObjects(unsigned bits) {
     eachLane(bits, [&](int i) {
         SliceWalk& walk = lane(i);
         const double leave = crossingOf(i, Border::leave).along;
-        if (leave > walk.objectsTo_) {
-            comeTo(i, v_);
-            walk.findObjects(leave);
-            walk.skipHiddenObjects();
-            coverChanged_ = true;
-        }
+        if (!(leave > walk.nextObjectAlong())) return;
+        // Rows may have been closed since
+        comeTo(i, v_);
+        if (leave > walk.objectsTo_) walk.findObjects(leave);
+        walk.skipHiddenObjects();
+        coverChanged_ = true;
         if (leave > walk.nextObjectAlong()) found |= 1u << i;
     });
     return found;
