@@ -29,9 +29,8 @@ inline constexpr int kLargestPictureSide = 4096;         // pixels
 
 // The first picture of a game is drawn in slices, so that a page stays alive meanwhile.
 inline constexpr double kSliceSeconds = 0.008;
-// Light may take as long as some 15 simple frames in a picture, and 200 in the first one. Shipped
-// scenes need 844,000 at most, for their first one; of others, the rest of the light comes with the
-// next pictures.
+// A unit takes some 40 ns, so light takes as long as 12 simple frames in a picture, and 160 in the
+// first one. Of scenes that need more, the rest of the light comes with the next pictures.
 inline constexpr LightWork kLightOfPicture = 300'000;
 inline constexpr LightWork kLightOfFirstPicture = 4'000'000;
 // A later picture in which something has no light at all is not shown, but at most so many in turn:

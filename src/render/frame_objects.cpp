@@ -47,7 +47,7 @@ void FrameObjects::beginFrame(const World& world, const ObjectCells& cells, cons
 }
 
 const ColumnObjects& FrameObjects::inColumn(int column, double from, double to) {
-    // A search for all columns costs as much as one for a column does many times
+    // A search for a group costs as much as many for a column, the more so the more objects
     const int few = std::min(64, static_cast<int>(map_->objects.size() / 64));
     ColumnObjects* list = listOf(column);
     if (from >= list->from && to <= list->to) return *list;

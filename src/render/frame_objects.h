@@ -1,7 +1,7 @@
 // The objects of a frame: which of a map's objects may be visible, at which depth and in which
 // columns. They are looked for when a slice asks, only in its column, and only so far as it walks,
 // because behind portals there may be thousands of views, each of few columns. When many columns
-// of a view ask, all are searched together.
+// of a view have asked, groups of them are searched together.
 #pragma once
 
 #include "base/keyed_pool.h"
@@ -83,7 +83,7 @@ public:
     // Stays where it is during the frame. Later calls add farther objects; one from nearer begins
     // the list anew.
     const ColumnObjects& inColumn(int column, double from, double to);
-    // Looks for those of all columns together from now on: faster if most of them will ask.
+    // Searches for groups of columns from now on: faster if most columns will ask.
     void askTogether();
     // Valid until a group of any view is searched.
     const FrameObject& operator[](int i) const {

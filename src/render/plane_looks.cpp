@@ -6,7 +6,6 @@
 #include <algorithm>
 
 namespace slicecast {
-namespace {}  // namespace
 
 std::uint32_t PlaneLook::factorAt(int row) const {
     return rays_->lighting.factorAt(depthPerInverse * rays_->inverseOffsets[row], plane.light,

@@ -88,7 +88,7 @@ for (const type of ['click', 'pointerdown'])
     await wait(100);
     assert.equal(await page.evaluate(isEntered), false);
     assert.deepEqual(await page.evaluate(() => window.tiles), [true]);
-    // The next one that it does not keep enters; so does Enter on the cover.
+    // The next one, which it does not keep, enters.
     await page.evaluate((kept) => {
       const element = document.querySelector('ray-caster');
       element.removeEventListener(kept, window.keep);
