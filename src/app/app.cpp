@@ -259,8 +259,8 @@ void App::look(double right, double down) {
     turnDegrees_ += right * degreesPerPixel_;
 
     // The same motion moves the middle of the picture equally far up or down as sideways.
-    const double distanceHeights =
-        0.5 * width_ / height_ / tanDegrees(0.5 * game_->options().render.fovDegrees);
+    const double fov = renderOptions(game_->options(), width_, height_).fovDegrees;
+    const double distanceHeights = 0.5 * width_ / height_ / tanDegrees(0.5 * fov);
     const double up = (invert_ ? down : -down) * degreesPerPixel_;
     lookHeights_ += tanDegrees(std::clamp(up, -45.0, 45.0)) * distanceHeights;
 }

@@ -37,6 +37,7 @@ std::unique_ptr<Session> openGame(const std::filesystem::path& scene, Crew& crew
 
 // Empty on success, else an error message.
 std::string applyArguments(Session& game, const Arguments& arguments) {
+    game.setOption("wideFov", "on");  // a window may have any shape
     for (const auto& [name, value] : arguments.options) {
         std::string fault = game.setOption(name, value);
         if (!fault.empty()) return fault;

@@ -72,7 +72,7 @@ void writeView(Json& json, const Session& session, const std::string& sceneName,
         .key("z")
         .number(eye.z.value());
     json.key("heading").number(eye.headingDegrees).key("look").number(eye.look).endObject();
-    json.line(1).key("fov").number(session.options().render.fovDegrees);
+    json.line(1).key("fov").number(renderOptions(session.options(), width, height).fovDegrees);
 }
 
 namespace {

@@ -1,5 +1,6 @@
 #include "session/options.h"
 
+#include "base/angle.h"
 #include "base/named.h"
 #include "base/nearest_name.h"
 #include "base/number_text.h"
@@ -18,6 +19,8 @@
 
 namespace slicecast {
 namespace {
+
+constexpr double kFovShape = 1.6;  // width / height of the pictures that wideFov goes by
 
 static_assert(kGreatestMirrors <= kMaxMirrors, "the renderer must be able to draw every value");
 
@@ -73,6 +76,10 @@ constexpr std::array kEntries = {
     Entry{{"fov", "Field of view", kView, OptionKind::number, kMinFovDegrees, kMaxFovDegrees, "60",
            "horizontal field of view in degrees"},
           &RenderOptions::fovDegrees},
+    Entry{{"wideFov", "More at the sides", kView, OptionKind::onOff, 0, 0, "off",
+           "pictures wider than 16:10 show more at their sides, and as much above and below as one "
+           "of 16:10 with this field of view; off: it is that of the picture's width"},
+          &SessionOptions::wideFov},
     Entry{{"detail", "Smooth far textures", kView, OptionKind::onOff, 0, 0, "on",
            "smaller images for distant textures, so that they do not flicker"},
           &RenderOptions::detail},
@@ -418,6 +425,15 @@ void setOption(SessionOptions& options, std::string_view name, double number) {
         }
     };
     std::visit(write, entry->place);
+}
+
+RenderOptions renderOptions(const SessionOptions& options, int width, int height) {
+    RenderOptions render = options.render;
+    const double times = width / (kFovShape * height);
+    if (options.wideFov && times > 1.0)
+        render.fovDegrees = std::min(
+            kMaxFovDegrees, 2.0 * atanDegrees(times * tanDegrees(render.fovDegrees / 2.0)));
+    return render;
 }
 
 std::string nextChoice(std::string_view name, std::string_view value) {

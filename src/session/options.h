@@ -29,6 +29,8 @@ struct SessionOptions {
     ClassicOptions classic;
     double compare = 0.0;  // share of the width, from the left, that the classic method draws while
                            // the exact one draws the rest; 0 for no comparison
+    bool wideFov = false;  // in wider pictures than 16:10 `fov` is the angle of a picture with
+                           // these sides and the same height, so that more is seen at both sides
     std::optional<double> intensity;   // of the light in all maps; empty: each map's own
     std::optional<double> multiplier;  // of the light, units; empty: each map's own
     LightPreset lightPreset = LightPreset::map;
@@ -83,6 +85,9 @@ std::string setOption(SessionOptions& options, std::string_view name, std::strin
 // The same for an option that is a number. Clamps the number to the option's range. Does nothing
 // for NaN and for any other name.
 void setOption(SessionOptions& options, std::string_view name, double number);
+
+// How a picture of this size is drawn.
+RenderOptions renderOptions(const SessionOptions& options, int width, int height);
 
 // The word that follows `value` in a choice; the first one after the last. Empty for an unknown
 // option or word.

@@ -144,7 +144,8 @@ template void writePick(PackedJson&, Session&, int, int, int, int);
 std::optional<PicturePoint> project(const Session& session, const Eye& eye, const Place& place,
                                     int map, int width, int height) {
     if (map != eye.map) return std::nullopt;
-    const Projection projection(eye, session.options().render, width, height);
+    const Projection projection(eye, renderOptions(session.options(), width, height), width,
+                                height);
     const double east = place.x - eye.x.value();
     const double south = place.y - eye.y.value();
     const double depth = east * projection.forward.x + south * projection.forward.y;

@@ -156,7 +156,7 @@ int Session::drawSome(const Picture& picture, double fraction, int firstColumn,
     const ShownBetween shown(world_, fraction);
     drawnFraction_ = fraction;
     const Eye seen = eye(fraction);
-    RenderOptions options = options_.render;
+    RenderOptions options = renderOptions(options_, picture.width, picture.height);
     options.lightWork = lightWork;
     const int next = renderer_.drawSome(world_, seen, options, picture, firstColumn);
     if (next == picture.width) {
@@ -171,12 +171,12 @@ bool Session::drawView(const Eye& seen, const Picture& picture, LightWork lightW
     const int classic = classicColumns(picture.width);
     const bool isAllClassic = classic > 0 && classic >= picture.width;
     // Skips the columns that the classic method draws afterwards.
-    RenderOptions options = options_.render;
+    RenderOptions options = renderOptions(options_, picture.width, picture.height);
     options.lightWork = lightWork;
     if (!isAllClassic && !renderer_.draw(world_, seen, options, picture, classic)) return false;
     if (classic > 0) {
         const std::optional<FrameReport> report =
-            drawClassic(world_, seen, options_.render, options_.classic, picture, classic);
+            drawClassic(world_, seen, options, options_.classic, picture, classic);
         if (!report) return false;
         classicReport_ = *report;
     }
@@ -189,6 +189,7 @@ bool Session::drawView(const Eye& seen, const Picture& picture, LightWork lightW
 // First the overlays that cover the whole picture, then the panels on top.
 void Session::drawOverlays(const Eye& seen, const Picture& picture) {
     const SessionOptions& o = options_;
+    const RenderOptions render = renderOptions(o, picture.width, picture.height);
     if (o.drawnColumns >= 0) {
         drawColumns(picture, o.drawnColumns);
     } else if (o.slow) {
@@ -204,7 +205,7 @@ void Session::drawOverlays(const Eye& seen, const Picture& picture) {
     }
     if (o.minimap) {
         const MinimapOptions minimap = {.level = o.minimapLevel,
-                                        .fovDegrees = o.render.fovDegrees,
+                                        .fovDegrees = render.fovDegrees,
                                         .rays = o.minimapRays,
                                         .turns = o.minimapTurns,
                                         .reach = o.minimapReach,
@@ -404,6 +405,7 @@ SliceTrace Session::trace(int width, int height, int column, int watchedRow) {
 
 void Session::trace(const TraceRequest& request, const std::function<void(SliceTrace&)>& take) {
     // Runs of neighbouring columns of the exact method are traced together.
+    const RenderOptions options = renderOptions(options_, request.width, request.height);
     TraceRequest together = request;
     std::span<const int> columns = request.columns;
     const int classic = classicColumns(request.width);
@@ -413,7 +415,7 @@ void Session::trace(const TraceRequest& request, const std::function<void(SliceT
         const auto count = static_cast<std::size_t>(exactEnd - columns.begin());
         if (count > 0) {
             together.columns = columns.first(count);
-            renderer_.trace(world_, eye(), options_.render, together, take);
+            renderer_.trace(world_, eye(), options, together, take);
         } else {
             SliceTrace slice = traceFrom(
                 eye(), {request.width, request.height, columns.front(), request.watchedRow});
@@ -425,19 +427,21 @@ void Session::trace(const TraceRequest& request, const std::function<void(SliceT
 
 // Uses the method that draws the column.
 SliceTrace Session::traceFrom(const Eye& seen, const ColumnRequest& request) {
+    const RenderOptions options = renderOptions(options_, request.width, request.height);
     return request.column < classicColumns(request.width)
-               ? traceClassic(world_, seen, options_.render, options_.classic, request)
-               : renderer_.trace(world_, seen, options_.render, request);
+               ? traceClassic(world_, seen, options, options_.classic, request)
+               : renderer_.trace(world_, seen, options, request);
 }
 
 FrameReport Session::measure(int width, int height) {
     Image image(width, height);
     const Picture picture = {image.pixels.data(), width, height, width};
+    const RenderOptions options = renderOptions(options_, width, height);
     if (classicShare() == 1.0) {
-        return drawClassic(world_, eye(), options_.render, options_.classic, picture)
+        return drawClassic(world_, eye(), options, options_.classic, picture)
             .value_or(FrameReport{});
     }
-    if (!renderer_.draw(world_, eye(), options_.render, picture)) return {};
+    if (!renderer_.draw(world_, eye(), options, picture)) return {};
     return renderer_.report();
 }
 

@@ -254,6 +254,46 @@ test('H shows the keys in a table, Escape brings the game back', async (t) => {
   await page.waitForSelector('#keys:not([open])', { state: 'attached' });
 });
 
+test('keys are in groups, and named as on the own keyboard', async (t) => {
+  const { page } = await openScene(t, browser, {
+    prepare: (opened) =>
+      opened.addInitScript(() => {
+        const french = new Map([
+          ['KeyW', 'z'],
+          ['KeyA', 'q'],
+          ['KeyZ', 'w'],
+          ['Semicolon', 'm'],
+          ['Equal', 'ß'], // no single letter above it
+        ]);
+        Object.defineProperty(navigator, 'keyboard', {
+          value: { getLayoutMap: async () => french },
+        });
+      }),
+  });
+  await page.keyboard.press('h');
+  await page.waitForSelector('#keys[open]');
+  const groups = await page.$$eval('#key-tables table', (tables) =>
+    tables.map((table) => [
+      table.caption.textContent,
+      Object.fromEntries(
+        [...table.querySelectorAll('tbody tr')].map((row) => [
+          row.querySelector('td').textContent,
+          [...row.querySelectorAll('kbd')].map((key) => key.textContent).join(' '),
+        ]),
+      ),
+    ]),
+  );
+  assert.deepEqual(
+    groups.map(([title]) => title),
+    ['Moving', 'Looking', 'Gates', 'Light', 'To see how it works', 'The picture'],
+  );
+  const lines = Object.assign({}, ...groups.map(([, own]) => own));
+  assert.equal(lines['walk ahead and back'], 'Z S');
+  assert.equal(lines['sound on or off'], 'M');
+  assert.equal(lines['share this view'], 'W');
+  assert.match(lines['stronger and weaker mirrors'], /^\+ -/);
+});
+
 test('I shows the frame rate', async (t) => {
   const { page } = await openScene(t, browser);
   await play(page);

@@ -1,5 +1,7 @@
 #include "session/options.h"
 
+#include "base/angle.h"
+
 #include <gtest/gtest.h>
 
 #include <cmath>
@@ -62,6 +64,27 @@ TEST(Options, AcceptTheirRangeAndNothingBeyond) {
             EXPECT_EQ(optionValue(options, info.name), before) << "a refused value changes nothing";
         }
     }
+}
+
+TEST(Options, AWideFovKeepsTheAngleFromAboveToBelow) {
+    const auto seen = [](const char* wide, int width, int height) {
+        SessionOptions options;
+        options.render.fovDegrees = 60.0;
+        EXPECT_EQ(setOption(options, "wideFov", wide), "");
+        return renderOptions(options, width, height).fovDegrees;
+    };
+    // tan of half the angle from above to below
+    const auto steep = [](double fovDegrees, int width, int height) {
+        return tanDegrees(fovDegrees / 2.0) * height / width;
+    };
+    for (const auto& [width, height] : {std::pair{1920, 1080}, {2560, 1080}, {3840, 1080}}) {
+        EXPECT_EQ(seen("off", width, height), 60.0);
+        EXPECT_NEAR(steep(seen("on", width, height), width, height), steep(60.0, 640, 400), 1e-12);
+    }
+    EXPECT_NEAR(seen("on", 3840, 1080), 104.1, 0.1);
+    for (const auto& [width, height] : {std::pair{640, 400}, {390, 844}, {800, 600}})
+        EXPECT_EQ(seen("on", width, height), 60.0) << "never less than the width";
+    EXPECT_EQ(seen("on", 4000, 1), kMaxFovDegrees);
 }
 
 TEST(Options, ReadBackExactly) {

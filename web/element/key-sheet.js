@@ -6,6 +6,7 @@
 //
 // The elements of `behind` are inert while the sheet is open.
 
+import { keyGroups, ownKeys } from './keyboard.js';
 import { node } from './nodes.js';
 
 export class KeySheet {
@@ -27,24 +28,16 @@ export class KeySheet {
   open(keys) {
     const help = keys.flatMap(({ actions }) => actions).find(({ name }) => name === 'help');
     this.#codes = ['Escape', ...help.keys.map(({ code }) => code)];
-    const here = keys.filter(({ scope, keys: labels }) => scope !== 'page' && labels.length > 0);
+    const here = ownKeys(keys.filter(({ scope }) => scope !== 'page'));
     const close = node('button', { class: 'again', part: 'button', type: 'button' }, 'Close');
     close.addEventListener('click', () => this.close());
     this.section.replaceChildren(
       node('h2', { id: 'keys-title' }, 'Keys'),
       close,
-      node(
-        'dl',
-        {},
-        ...here.map(({ keys: labels, does }) =>
-          node(
-            'div',
-            {},
-            node('dt', {}, ...labels.map((label) => node('kbd', {}, label))),
-            node('dd', {}, does),
-          ),
-        ),
-      ),
+      ...keyGroups(here).flatMap(([title, lines]) => [
+        node('h3', {}, title),
+        node('dl', {}, ...lines.map(keyLine)),
+      ]),
     );
     this.section.hidden = false;
     this.focus({ preventScroll: true });
@@ -70,4 +63,13 @@ export class KeySheet {
     this.section.hidden = true;
     this.section.replaceChildren();
   }
+}
+
+function keyLine({ keys, does }) {
+  return node(
+    'div',
+    {},
+    node('dt', {}, ...keys.map((label) => node('kbd', {}, label))),
+    node('dd', {}, does),
+  );
 }

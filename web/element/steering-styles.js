@@ -30,6 +30,7 @@ export const kSheet = `
 .keys .again { position: absolute; top: 14px; right: 20px; }
 .keys dl { display: grid; grid-template-columns: repeat(auto-fill, minmax(min(280px, 100%), 1fr)); gap: 4px 24px; margin: 0; }
 .keys dl div { display: grid; grid-template-columns: 124px 1fr; align-items: baseline; gap: 8px; }
+.keys h3 { margin: 12px 0 4px; font: inherit; color: var(--soft); }
 .keys dd { margin: 0; color: var(--soft); }
 .keys kbd { display: inline-block; min-width: 24px; margin: 0 4px 2px 0; padding: 0 6px 2px; font: inherit; font-size: 12px; text-align: center; background: color-mix(in srgb, var(--text) 16%, var(--panel)); box-shadow: var(--light); }
 @container (max-width: 420px) { .keys .again { top: 6px; right: 12px; } }

@@ -7,9 +7,18 @@
 //     dialogs.opens('share', act);           calls act() to open it
 //     dialogs.open('share');
 
+import { ownKeys } from '../element/keyboard.js';
 import { showFingers, showKeys } from './key-help.js';
 
-export const kPageKeys = [{ keys: ['Z'], does: 'share this view' }]; // listed after the engine's
+// Listed after the engine's
+const kPageKeys = [
+  {
+    keys: ['Z'],
+    does: 'share this view',
+    group: 'program',
+    actions: [{ name: 'share', keys: [{ code: 'KeyZ', label: 'Z' }] }],
+  },
+];
 
 const kNames = ['scenes', 'keys', 'settings', 'share', 'benchmark'];
 
@@ -46,7 +55,7 @@ export class Dialogs {
   }
 
   showKeys() {
-    const keys = [...this.#caster.keyList, ...kPageKeys];
+    const keys = ownKeys([...this.#caster.keyList, ...kPageKeys]);
     showKeys(find('key-tables'), find('key-table'), keys);
   }
 

@@ -3,16 +3,9 @@
 //
 //     const editor = new KeyEditor(dialog, caster, showKeys);      showKeys() shows the plain sheet
 
-const kStorageKey = 'slicecast.keys'; // {code: name of an action, or '' for none}
+import { kGroups, ownKeys } from '../element/keyboard.js';
 
-const kGroups = {
-  move: 'Moving',
-  look: 'Looking',
-  gates: 'Gates',
-  light: 'Light',
-  show: 'Showing',
-  program: 'Program',
-};
+const kStorageKey = 'slicecast.keys'; // {code: name of an action, or '' for none}
 
 const kReserved = ['Escape', 'Tab', 'F5', 'F11', 'F12']; // used by the browser or to leave
 
@@ -72,7 +65,7 @@ export class KeyEditor {
   }
 
   #show() {
-    const actions = this.#caster.keyList.flatMap(({ group, actions: known }) =>
+    const actions = ownKeys(this.#caster.keyList).flatMap(({ group, actions: known }) =>
       known.map((action) => ({ ...action, group })),
     );
     const list = this.#find('list');

@@ -1,6 +1,7 @@
 // The sheet of keys: what fingers do on a touch screen, and tables of the engine's keys.
 
 import { icon } from '../element/icons.js';
+import { keyGroups } from '../element/keyboard.js';
 
 // Whether the device seems to have a touch screen and no mouse.
 export const isTouch = () => matchMedia('(hover: none) and (pointer: coarse)').matches;
@@ -34,14 +35,13 @@ export function showFingers(list, keyPart) {
   keyPart.open = !isTouch();
 }
 
-// Fills two tables, side by side where there is room.
+// Fills a table for each group of keys.
 export function showKeys(box, template, keys) {
-  const shown = keys.filter((line) => line.keys.length > 0);
-  const half = Math.ceil(shown.length / 2);
   box.replaceChildren(
-    ...[shown.slice(0, half), shown.slice(half)].map((part) => {
+    ...keyGroups(keys).map(([title, lines]) => {
       const table = template.content.cloneNode(true);
-      table.querySelector('tbody').append(...part.map(keyRow));
+      table.querySelector('caption').textContent = title;
+      table.querySelector('tbody').append(...lines.map(keyRow));
       return table;
     }),
   );

@@ -1,6 +1,8 @@
 // Finds the engine's keys by the names of actions (src/app/actions.h).
 
-const actionsOf = (caster) => caster.keyList.flatMap(({ actions }) => actions);
+import { ownKeys } from '../element/keyboard.js';
+
+const actionsOf = (caster) => ownKeys(caster.keyList).flatMap(({ actions }) => actions);
 
 // The KeyboardEvent.codes of all keys of these actions.
 export function codesOf(caster, names) {

@@ -36,7 +36,10 @@ export class ViewOptions {
       this.#wanted = new Map(optionList.map(({ name, standard }) => [name, standard]));
     }
     if (overrides) this.#override(parameters.get('options') ?? '');
-    else if (this.#isOverridden) this.#settings.takeBack();
+    else {
+      if (this.#isOverridden) this.#settings.takeBack();
+      this.#wanted.set('wideFov', 'on'); // the window may have any shape
+    }
     this.#isOverridden = overrides;
     this.#caster.overlay = parameters.get('overlay');
     this.#write();
