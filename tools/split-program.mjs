@@ -9,7 +9,7 @@
 // Features are spelled as Binaryen's options: --enable-simd.
 
 import { encode } from 'fast-png';
-import { execFileSync } from 'node:child_process';
+import { execFile } from 'node:child_process';
 import { createHash } from 'node:crypto';
 import {
   appendFileSync,
@@ -23,6 +23,9 @@ import {
 import { tmpdir } from 'node:os';
 import { join, resolve } from 'node:path';
 import { fileURLToPath, pathToFileURL } from 'node:url';
+import { promisify } from 'node:util';
+
+const start = promisify(execFile);
 
 const kProfileBytes = 1 << 20;
 const kChannels = [1, 2, 3, 4]; // of a picture
@@ -53,15 +56,21 @@ try {
   const watched = join(folder, 'watched.wasm');
   const profile = join(folder, 'profile');
   const first = join(folder, 'first.wasm');
-  run('wasm-split', '--instrument', whole, '-o', watched, '--profile-export=write_profile');
+  await run('wasm-split', '--instrument', whole, '-o', watched, '--profile-export=write_profile');
   writeFileSync(profile, await profileOf(readFileSync(watched)));
-  run('wasm-split', whole, `--profile=${profile}`, '-o1', first, '-o2', later, '--export-prefix=%');
+  await run(
+    'wasm-split',
+    whole,
+    `--profile=${profile}`,
+    '-o1',
+    first,
+    '-o2',
+    later,
+    '--export-prefix=%',
+  );
   const mark = markOf(readFileSync(whole));
-  for (const part of [first, later]) {
-    order(part);
-    optimise(part);
-    appendFileSync(part, mark);
-  }
+  await Promise.all([first, later].map(finish));
+  for (const part of [first, later]) appendFileSync(part, mark);
   copyFileSync(first, whole);
 } finally {
   rmSync(folder, { recursive: true });
@@ -69,15 +78,10 @@ try {
 
 // What is called in one place stays a function here too: one large function of many unlike parts
 // compresses worse than these beside their like.
-function optimise(part) {
-  run('wasm-opt', '-Oz', '--one-caller-inline-max-function-size=40', part, '-o', part);
-}
-
-function order(part) {
+async function finish(part) {
   const tool = fileURLToPath(new URL('order-functions.mjs', import.meta.url));
-  execFileSync(process.execPath, [tool, binaryen, part, ...features], {
-    stdio: ['ignore', 'inherit', 'inherit'],
-  });
+  await start(process.execPath, [tool, binaryen, part, ...features]);
+  await run('wasm-opt', '-Oz', '--one-caller-inline-max-function-size=40', part, '-o', part);
 }
 
 // A custom section "whole": both parts have the same one, so that a page notices parts of different
@@ -95,9 +99,7 @@ function markOf(bytes) {
 }
 
 function run(program, ...values) {
-  execFileSync(join(binaryen, program), [...values, ...features], {
-    stdio: ['ignore', 'inherit', 'inherit'],
-  });
+  return start(join(binaryen, program), [...values, ...features]);
 }
 
 // Which functions the engine calls for the first pictures of all shipped scenes, as Binaryen
