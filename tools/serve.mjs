@@ -53,8 +53,8 @@ class WatchedScene {
   // this only looks for strings.
   async namedPictures() {
     const text = await readFile(this.file, 'utf8').catch(() => '');
-    const names = text.match(/"[^"\n]+\.png"/gi) ?? [];
-    return [...new Set(names.map((name) => path.resolve(this.folder, name.slice(1, -1))))];
+    const names = text.match(/"(?:[^"\\\n]|\\.)+\.png"/gi) ?? [];
+    return [...new Set(names.flatMap(textOfJson).map((name) => path.resolve(this.folder, name)))];
   }
 
   // The file for a path below /-/, or null if there is none or it may not be served.
@@ -133,6 +133,15 @@ class WatchedScene {
     clearTimeout(this.timer);
     for (const watcher of this.watchers.values()) watcher.close();
     this.watchers.clear();
+  }
+}
+
+// The text that a JSON string stands for, as a list; empty if its escapes are malformed.
+function textOfJson(string) {
+  try {
+    return [JSON.parse(string)];
+  } catch {
+    return [];
   }
 }
 

@@ -23,11 +23,12 @@ before(async () => {
   await writeFile(path.join(root, 'page/engine/x.wasm'), 'wasm');
   await writeFile(
     path.join(root, 'mine/scenes/my scene.json'),
-    '{ "wall": "brick.png", "roof": "../textures/named.png", "door": ["away.png", "text.png", "near.png", "../textures/away.png"] }',
+    '{ "wall": "brick.png", "roof": "../textures/named.png", "door": ["away.png", "text.png", "near.png", "../textures/away.png"], "\\"sill.png": "..\\/textures\\/m\\u00fcr.png", "odd": "\\x.png" }',
   );
   await writeFile(path.join(root, 'mine/scenes/brick.png'), 'brick');
   await writeFile(path.join(root, 'mine/scenes/private.txt'), 'secret');
   await writeFile(path.join(root, 'mine/textures/named.png'), 'named');
+  await writeFile(path.join(root, 'mine/textures/mür.png'), 'wall');
   await writeFile(path.join(root, 'mine/textures/other.png'), 'secret');
   await symlink(
     path.join(root, 'mine/textures/other.png'),
@@ -85,6 +86,7 @@ test('the address names the scene, which is served with the pictures that it use
   assert.match(scene.body, /brick/);
   assert.equal((await get('/-/scene/brick.png')).body, 'brick');
   assert.equal((await get('/-/textures/named.png')).body, 'named');
+  assert.equal((await get('/-/textures/m%C3%BCr.png')).body, 'wall', 'named with escapes of JSON');
 });
 
 test('nothing else beside or above the scene is served', async () => {
@@ -220,7 +222,7 @@ async function countEvents(act, wanted = 1) {
 // Saves at once: a server that looked in the middle would see two changes, and rightly so.
 test('a saved scene is reported once, however the editor saves it', async () => {
   const scene = path.join(root, 'mine/scenes/my scene.json');
-  const text = '{ "wall": "brick.png", "roof": "../textures/named.png", "more": 1 }';
+  const text = '{ "wall": "brick.png", "roof": "..\\/textures\\/n\\u0061med.png", "more": 1 }';
   assert.equal(await countEvents(() => writeFileSync(scene, text)), 1, 'written in place');
   assert.equal(
     await countEvents(() => {
