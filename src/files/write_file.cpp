@@ -4,6 +4,7 @@
 #include <csignal>
 #include <cstdio>
 #include <filesystem>
+#include <fstream>
 #include <random>
 #include <system_error>
 
@@ -19,12 +20,16 @@ std::string reason(int error) {
 // 0 on success, else errno. `prepare` is called while the file is still empty.
 template <class Prepare>
 int writeBytes(const fs::path& path, std::span<const std::uint8_t> bytes, Prepare prepare) {
-    std::FILE* file = std::fopen(path.c_str(), "wb");
-    if (file == nullptr) return errno;
+    // A stream, unlike fopen, takes a path on every system.
+    errno = 0;
+    std::ofstream file(path, std::ios::binary);
+    if (!file) return errno;
     prepare();
-    int fault = std::fwrite(bytes.data(), 1, bytes.size(), file) == bytes.size() ? 0 : errno;
-    if (std::fclose(file) != 0 && fault == 0) fault = errno;
-    return fault;
+    errno = 0;
+    file.write(reinterpret_cast<const char*>(bytes.data()),
+               static_cast<std::streamsize>(bytes.size()));
+    file.close();
+    return file ? 0 : errno;
 }
 
 // The name of a temporary file beside `path`. Two programs that write the same file at once use
@@ -96,7 +101,9 @@ std::string whyNotWritable(const std::string& path) {
 }
 
 void outliveClosedPipes() {
+#ifdef SIGPIPE  // Windows has none: there such a write just fails
     std::signal(SIGPIPE, SIG_IGN);
+#endif
 }
 
 int finishOutput(const char* program, int status) {
