@@ -110,11 +110,16 @@ public:
         panorama = std::move(image);
     }
 
-    // In the order of the text.
-    std::vector<Fault> takeFaults() {
+    // With those of the text, in its order.
+    std::vector<Fault> takeFaults(std::vector<Fault> ofText) {
         mergeSort(faults_, [](const Fault& a, const Fault& b) {
             return std::tie(a.line, a.column, a.pointer, a.found) <
                    std::tie(b.line, b.column, b.pointer, b.found);
+        });
+        if (ofText.size() > kMaxFaults) return ofText;
+        faults_.insert(faults_.begin(), ofText.begin(), ofText.end());
+        mergeSort(faults_, [](const Fault& a, const Fault& b) {
+            return std::tie(a.line, a.column) < std::tie(b.line, b.column);
         });
         if (faults_.size() > kMaxFaults) {
             const std::size_t omitted = faults_.size() - kMaxFaults;
@@ -153,6 +158,7 @@ private:
     }
 
     Image decode(const ImageReference& reference, int maxWidth, int maxHeight) {
+        if (reference.file.empty()) return {};  // the text's fault
         const auto file = files_.find(reference.file);
         if (file == files_.end()) {
             add(reference, kUnreadImage, "a PNG file of that name, relative to the scene's folder");
@@ -275,7 +281,7 @@ struct SceneLoader::Work {
 };
 
 void SceneLoader::Work::prepare() {
-    loaded.faults = reader.takeFaults();
+    loaded.faults = reader.takeFaults(std::move(scene.faults));
     if (!loaded.faults.empty()) return;
     tasks.add<makeGateFrames>(world);
     tasks.add<markSeeThrough>(world);

@@ -18,6 +18,7 @@ std::vector<std::string> filesOf(const SceneDescription& description) {
     std::vector<std::string> files;
     NameIndex known;
     const auto add = [&](const ImageReference& image) {
+        if (image.file.empty()) return;  // a faulty one
         const auto number = static_cast<std::uint32_t>(files.size());
         if (known.add(image.file, number) == number) files.push_back(image.file);
     };
@@ -175,8 +176,8 @@ void SceneParser::Work::findMistakes() {
 
 void SceneParser::Work::finish() {
     for (Fault& fault : checker.take()) parsed.faults.push_back(std::move(fault));
-    if (!parsed.faults.empty()) return;
-    parsed.warnings = checker.takeWarnings();
+    if (!fields) return;
+    if (parsed.faults.empty()) parsed.warnings = checker.takeWarnings();
     parsed.files = filesOf(*description);
     parsed.description = std::move(description);
 }

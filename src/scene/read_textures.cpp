@@ -60,6 +60,7 @@ ImageReference referTo(const Checker& checker, JsonValue value, std::string file
 // its first frame, { "file": "door.png", "frames": 8 } or, of a texture, { "file": "oak.png",
 // "material": "wood" } or { "file": "brick.png", "variants": ["mossy"] }.
 TextureReference readPicture(Checker& checker, JsonValue value, bool isTexture) {
+    const std::size_t faultsBefore = checker.count();
     TextureReference picture;
     std::optional<Material> material;
     if (isTexture && value.isText() && value.text().substr(0, 1) == "#") {
@@ -104,6 +105,7 @@ TextureReference readPicture(Checker& checker, JsonValue value, bool isTexture) 
     if (!material) material = materialOfName(value.key());
     if (!material) material = materialOfName(picture.image.file);
     picture.material = material.value_or(Material::stone);
+    if (checker.count() != faultsBefore) picture.image.file.clear();  // it is not looked at
     return picture;
 }
 

@@ -10,10 +10,10 @@
 //     while (parser.next()) ...                                  // parser.share() grows to 1
 //     ParsedScene scene = parser.take();
 //
-// Both report all faults that they can reach, in the order of the text; a scene with a fault gives
-// no world. At most kMaxFaults (limits.h) are listed, and then one more that counts the others. A
-// scene with warnings loads: they name probable mistakes. assets/scene.schema.json defines what a
-// scene file may hold.
+// Both report all faults that they can reach, in the order of the text, loadScene those of the text
+// too; a scene with a fault gives no world. At most kMaxFaults (limits.h) are listed, and then one
+// more that counts the others. A scene with warnings loads: they name probable mistakes.
+// assets/scene.schema.json defines what a scene file may hold.
 #pragma once
 
 #include "base/image.h"
@@ -38,7 +38,7 @@ struct SceneDescription;  // the checked text; opaque
 using Progress = std::function<void(double share)>;
 
 struct ParsedScene {
-    std::unique_ptr<SceneDescription> description;  // null when there are faults
+    std::unique_ptr<SceneDescription> description;  // null if the text is none of a scene
     std::vector<std::string>
         files;  // image files named by the scene, relative to it, each once, in order of appearance
     std::vector<Fault> faults;

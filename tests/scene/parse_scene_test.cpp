@@ -564,13 +564,41 @@ TEST(ParseScene, StartsCrouchedWhereThereIsNoRoomToStand) {
 }
 
 TEST(LoadScene, PassesOnTheFaultsOfTheText) {
-    ParsedScene parsed = parseScene("{}", "test.json");
-    EXPECT_EQ(parsed.description, nullptr);
-    const std::vector<Fault> faults = parsed.faults;
-    const LoadedScene loaded = loadScene(std::move(parsed), {});
+    for (const auto& [text, count] : {std::pair{"{}", 4u}, {"{", 1u}, {"[]", 1u}}) {
+        ParsedScene parsed = parseScene(text, "test.json");
+        const std::vector<Fault> faults = parsed.faults;
+        const LoadedScene loaded = loadScene(std::move(parsed), {});
+        EXPECT_FALSE(loaded.world.has_value());
+        EXPECT_EQ(loaded.faults, faults);
+        EXPECT_EQ(loaded.faults.size(), count);
+    }
+}
+
+// Whoever mends a scene sees all of its faults at once. A picture whose own text has a fault is not
+// looked at.
+TEST(LoadScene, ListsFaultsOfTextAndPicturesTogether) {
+    ParsedScene parsed = parseScene(R"({ "title": "Two kinds",
+  "textures": {
+    "missing": "away.png",
+    "odd": { "file": "odd.png", "frames": 1 },
+    "named": "no-picture.jpg",
+    "flat": "broken.png" },
+  "blueprints": { "wall": { "faces": "brick" } },
+  "maps": [{ "name": "room", "levels": [["..."]], "floor": "flat",
+    "portals": [{ "x": 0, "y": 0, "to": { "map": "cellar", "x": 0, "y": 0 } }] }],
+  "start": { "x": 1.5, "y": 0.5 } })",
+                                    "test.json");
+    EXPECT_EQ(parsed.files, (std::vector<std::string>{"away.png", "broken.png"}));
+    const std::size_t ofText = parsed.faults.size();
+    const LoadedScene loaded = loadScene(std::move(parsed), {{"broken.png", {1, 2, 3}}});
     EXPECT_FALSE(loaded.world.has_value());
-    EXPECT_EQ(loaded.faults, faults);
-    EXPECT_EQ(loaded.faults.size(), 4u);
+    EXPECT_EQ(ofText, 4u);
+    std::vector<std::string> pointers;
+    for (const Fault& fault : loaded.faults) pointers.push_back(fault.pointer);
+    EXPECT_EQ(pointers,
+              (std::vector<std::string>{"/textures/missing", "/textures/odd/frames",
+                                        "/textures/named", "/textures/flat",
+                                        "/blueprints/wall/faces", "/maps/0/portals/0/to/map"}));
 }
 
 // A world of a large map has hundreds of megabytes.

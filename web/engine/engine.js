@@ -75,7 +75,6 @@ export class Engine {
     const loading = new SceneLoading(this.#module, this.#session, isLatest);
     const names = await loading.readNames(source, onProgress);
     if (names === null) return null;
-    if (names.faults.length > 0) return names.faults;
     await loading.supplyFiles(names.files, source, onProgress);
     if (!isLatest()) return null;
     const eye = keepEye ? this.state : null;
@@ -140,8 +139,7 @@ export class Engine {
     const session = module._slicecast_create();
     try {
       const loading = new SceneLoading(module, session);
-      const { files, faults } = await loading.readNames(source);
-      if (faults.length > 0) return null;
+      const { files } = await loading.readNames(source);
       await loading.supplyFiles(files, source);
       return (await loading.start()).faults.length === 0
         ? imageOf(drawPixels(module, session, width, height, 1), width, height)
