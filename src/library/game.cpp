@@ -126,8 +126,8 @@ std::string Game::option(std::string_view name) const {
     return state_->session.option(name);
 }
 
-std::string Game::setCell(int map, int level, int x, int y, char32_t character) {
-    return state_->session.setCell({map, level, x, y}, character);
+std::string Game::setCell(int map, int level, int x, int y, std::string_view sign) {
+    return state_->session.setCell({map, level, x, y}, sign);
 }
 
 std::vector<ColumnHit> Game::hits(int width, int height, int column) {

@@ -1,7 +1,9 @@
 #include "slicecast/scene_builder.h"
 
+#include "base/printable.h"
 #include "base/words.h"
 #include "scene/limits.h"
+#include "scene/source_text.h"
 #include "world/material.h"
 #include "world/world.h"
 
@@ -21,6 +23,11 @@ bool isWithin(double value, double low, double high) {
 template <typename List>
 bool isIndexOf(int index, const List& list) {
     return index >= 0 && static_cast<std::size_t>(index) < list.size();
+}
+
+bool isSign(std::string_view text) {
+    std::size_t end = 0;
+    return !SourceText(text).invalidByte() && takeSign(text, end) == text && isPrintableSign(text);
 }
 
 // A part of the scene as messages name it: block "wall"
@@ -99,11 +106,14 @@ void SceneBuilder::State::checkBlock(const std::string& where, const BlockSpec& 
         refuse(where, {"a light of ", Shortest{spec.light}}, "a number from 0 to 1");
     if (!isWithin(spec.mirror, 0.0, 1.0))
         refuse(where, {"a mirror of ", Shortest{spec.mirror}}, "a number from 0 to 1");
+    if (spec.sign.empty()) return;
     const bool isTaken = std::any_of(legend.begin(), legend.end(), [&](const LegendEntry& entry) {
-        return entry.character == spec.character;
+        return entry.sign == spec.sign;
     });
-    if (spec.character != 0 && (isTaken || spec.character == U'.' || spec.character == U' '))
-        refuse(where, "a character that is already taken", "a unique one, neither '.' nor a space");
+    if (isTaken || spec.sign == ".")
+        refuse(where, "a sign that is already taken", "a unique one, not '.'");
+    if (!isSign(spec.sign))
+        refuse(where, {"the sign \"", printable(spec.sign), "\""}, "a single visible character");
 }
 
 bool SceneBuilder::State::checkMap(const std::string& where, const MapSpec& spec) {
@@ -210,8 +220,7 @@ SceneBuilder::Block SceneBuilder::block(const BlockSpec& spec) {
     top.mirror = static_cast<std::uint8_t>(std::floor(spec.mirror * 255.0 + 0.5));
     const int index = static_cast<int>(state.world.blueprints.size());
     state.world.blueprints.push_back(std::move(blueprint));
-    if (spec.character != 0)
-        state.legend.push_back({spec.character, static_cast<BlueprintId>(index)});
+    if (!spec.sign.empty()) state.legend.push_back({spec.sign, static_cast<BlueprintId>(index)});
     return {index};
 }
 

@@ -100,7 +100,11 @@ void Checker::refuse(JsonValue value, const Words& expected) {
 void Checker::addInRow(JsonValue text, int row, int character, const Words& found,
                        const Words& expected) {
     if (onlyCounts()) return;
-    addAt(faults_, source_.characterOffset(text.offset(), character), &text, row, character, found,
+    // Of the signs before it, some may be several characters.
+    std::size_t offset = 0;
+    for (int x = 0; x < character; ++x) takeSign(text.text(), offset);
+    const auto before = static_cast<int>(countCharacters(text.text().substr(0, offset)));
+    addAt(faults_, source_.characterOffset(text.offset(), before), &text, row, character, found,
           expected);
 }
 

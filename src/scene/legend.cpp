@@ -1,6 +1,5 @@
 #include "scene/legend.h"
 
-#include "base/number_text.h"
 #include "scene/limits.h"
 
 #include <algorithm>
@@ -8,17 +7,16 @@
 namespace slicecast {
 namespace {
 
-constexpr std::size_t kMostReportedPerRow = 16;  // different characters
+constexpr std::size_t kMostReportedPerRow = 16;  // different signs
 
-// A character as a message shows it.
-std::string shownCharacter(char32_t c) {
-    if (c == ' ') return "a space";
-    if (isPrintable(c)) return words("'", toUtf8(c), "'");
-    std::string digits(hexText(c, c > 0xfffff ? 6 : c > 0xffff ? 5 : 4));
-    for (char& digit : digits) {
-        if (digit >= 'a') digit = static_cast<char>(digit - 'a' + 'A');
-    }
-    return words("the invisible character U+", digits);
+// A sign as a message shows it; with its code points, if one cannot see them all.
+std::string shownSign(std::string_view sign) {
+    if (sign == " ") return "a space";
+    std::size_t end = 0;
+    if (!isPrintable(takeCodePoint(sign, end)))
+        return words("the invisible character ", codePointsOf(sign));
+    const bool isPlain = end == sign.size() && isPrintableSign(sign);
+    return isPlain ? words("'", sign, "'") : words("'", sign, "' (", codePointsOf(sign), ")");
 }
 
 }  // namespace
@@ -27,33 +25,33 @@ Legend::Legend(std::uint16_t dot, std::uint16_t space) : dot_(dot), space_(space
     ascii_.fill(kNone);
 }
 
-std::int32_t Legend::entryOf(char32_t character) const {
-    if (character < ascii_.size()) return ascii_[character];
+std::int32_t Legend::entryOf(std::string_view sign) const {
+    if (sign.size() == 1) return ascii_[static_cast<unsigned char>(sign[0])];
     const auto other =
-        std::lower_bound(others_.begin(), others_.end(), std::pair(character, std::int32_t{0}));
-    return other != others_.end() && other->first == character ? other->second : kNone;
+        std::lower_bound(others_.begin(), others_.end(), std::pair(sign, std::int32_t{0}));
+    return other != others_.end() && other->first == sign ? other->second : kNone;
 }
 
-void Legend::set(char32_t character, std::uint16_t id) {
-    const std::int32_t known = entryOf(character);
+void Legend::set(std::string_view sign, std::uint16_t id) {
+    const std::int32_t known = entryOf(sign);
     if (known != kNone) {
         entries_[static_cast<std::size_t>(known)].second = id;
         return;
     }
     const auto entry = static_cast<std::int32_t>(entries_.size());
-    entries_.emplace_back(character, id);
-    if (character < ascii_.size()) {
-        ascii_[character] = entry;
+    entries_.emplace_back(sign, id);
+    if (sign.size() == 1) {
+        ascii_[static_cast<unsigned char>(sign[0])] = entry;
     } else {
-        const std::pair other(character, entry);
+        const std::pair other(sign, entry);
         others_.insert(std::lower_bound(others_.begin(), others_.end(), other), other);
     }
 }
 
-std::optional<std::uint16_t> Legend::find(char32_t character) const {
-    if (character == U'.') return dot_;
-    if (character == U' ') return space_;
-    const std::int32_t entry = entryOf(character);
+std::optional<std::uint16_t> Legend::find(std::string_view sign) const {
+    if (sign == ".") return dot_;
+    if (sign == " ") return space_;
+    const std::int32_t entry = entryOf(sign);
     if (entry != kNone) return entries_[static_cast<std::size_t>(entry)].second;
     if (takesAny_) return std::uint16_t{0};
     return std::nullopt;
@@ -63,7 +61,7 @@ std::string Legend::characters() const {
     constexpr std::size_t kMostShown = 24;
     std::string list;
     for (std::size_t i = 0; i < std::min(entries_.size(), kMostShown); ++i)
-        add(list, {shownCharacter(entries_[i].first), ", "});
+        add(list, {shownSign(entries_[i].first), ", "});
     if (entries_.size() > kMostShown) list += "..., ";
     return words(list, "'.' or a space");
 }
@@ -84,25 +82,24 @@ void readLegend(Checker& checker, JsonValue value, const NameTable& names, const
     for (const JsonValue member : value) {
         const std::string_view key = member.key();
         std::size_t end = 0;
-        const char32_t character = key.empty() ? 0 : takeCodePoint(key, end);
+        const std::string_view first = key.empty() ? key : takeSign(key, end);
         const bool isSingle = !key.empty() && end == key.size();
         const bool isReserved = key == "." || key == " ";
         if (isReserved) {
             checker.addAtKey(member, {"the key ", quoted(key)},
                              "another character: '.' and the space already have a meaning");
-        } else if (isSingle && !isPrintable(character)) {
-            checker.addAtKey(member, {"a key that is ", shownCharacter(character)},
+        } else if (isSingle && !isPrintableSign(first)) {
+            checker.addAtKey(member, {"a key that is ", shownSign(first)},
                              "a single visible character");
         } else if (!isSingle) {
             checker.addAtKey(member, {"the key ", quoted(key)}, "a single visible character");
         }
         const std::uint16_t id = checker.name(member, names, what).value_or(0);
-        // Characters of faulty entries count as known, so that their uses in grids are not reported
-        // too.
+        // Signs of faulty entries count as known, so that their uses in grids are not reported too.
         std::size_t offset = 0;
         for (std::size_t taken = 0; offset < key.size() && taken < kMaxNameLength && !isReserved;
              ++taken) {
-            const char32_t meant = takeCodePoint(key, offset);
+            const std::string_view meant = takeSign(key, offset);
             if (isSingle || !legend.find(meant)) legend.set(meant, id);
         }
     }
@@ -111,19 +108,19 @@ void readLegend(Checker& checker, JsonValue value, const NameTable& names, const
 void readRow(Checker& checker, JsonValue value, int row, int width, const Legend& legend,
              std::vector<std::uint16_t>& ids) {
     const std::string_view text = value.text();
-    std::vector<char32_t> reported;
+    std::vector<std::string_view> reported;
     std::size_t offset = 0;
     int x = 0;
     for (; offset < text.size(); ++x) {
-        const char32_t character = takeCodePoint(text, offset);
-        const std::optional<std::uint16_t> id = legend.find(character);
+        const std::string_view sign = takeSign(text, offset);
+        const std::optional<std::uint16_t> id = legend.find(sign);
         if (id) {
             if (x < width) ids[static_cast<std::size_t>(x)] = *id;
         } else if (reported.size() < kMostReportedPerRow &&
-                   std::find(reported.begin(), reported.end(), character) == reported.end()) {
-            // Once per row, or a character that the legend lacks would fill the list.
-            reported.push_back(character);
-            checker.addInRow(value, row, x, shownCharacter(character),
+                   std::find(reported.begin(), reported.end(), sign) == reported.end()) {
+            // Once per row, or a sign that the legend lacks would fill the list.
+            reported.push_back(sign);
+            checker.addInRow(value, row, x, shownSign(sign),
                              {"a character of the legend: ", legend.characters()});
         }
     }

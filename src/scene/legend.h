@@ -1,4 +1,4 @@
-// Legends: which blueprint or texture a character of a grid stands for.
+// Legends: which blueprint or texture a sign of a grid stands for (source_text.h).
 #pragma once
 
 #include "scene/checker.h"
@@ -8,6 +8,7 @@
 #include <cstdint>
 #include <optional>
 #include <string>
+#include <string_view>
 #include <utility>
 #include <vector>
 
@@ -19,27 +20,30 @@ public:
     // texture.
     Legend(std::uint16_t dot, std::uint16_t space);
 
-    void set(char32_t character, std::uint16_t id);
-    std::optional<std::uint16_t> find(char32_t character) const;
+    // The text of a sign must outlive the legend.
+    void set(std::string_view sign, std::uint16_t id);
+    std::optional<std::uint16_t> find(std::string_view sign) const;
 
-    // After a faulty legend, unknown characters count as known, with number 0.
+    // After a faulty legend, unknown signs count as known, with number 0.
     void takeAny() { takesAny_ = true; }
 
     // What has been set, in that order.
-    const std::vector<std::pair<char32_t, std::uint16_t>>& entries() const { return entries_; }
+    const std::vector<std::pair<std::string_view, std::uint16_t>>& entries() const {
+        return entries_;
+    }
 
     // `'#', '=', '.' or a space`, for messages.
     std::string characters() const;
 
 private:
     static constexpr std::int32_t kNone = -1;
-    std::int32_t entryOf(char32_t character) const;  // index into entries_
+    std::int32_t entryOf(std::string_view sign) const;  // index into entries_
 
     std::uint16_t dot_;
     std::uint16_t space_;
-    std::array<std::int32_t, 128> ascii_;                    // index into entries_
-    std::vector<std::pair<char32_t, std::int32_t>> others_;  // by character, the same
-    std::vector<std::pair<char32_t, std::uint16_t>> entries_;
+    std::array<std::int32_t, 128> ascii_;                            // index into entries_
+    std::vector<std::pair<std::string_view, std::int32_t>> others_;  // by sign, the same
+    std::vector<std::pair<std::string_view, std::uint16_t>> entries_;
     bool takesAny_ = false;
 };
 
@@ -54,8 +58,8 @@ struct GridSize {
     int depth = 0;
 };
 
-// Writes the number of each character of a row to `ids`. Reports characters that the legend lacks,
-// whose entries stay as they are, and rows that are not `width` characters long.
+// Writes the number of each sign of a row to `ids`. Reports signs that the legend lacks, whose
+// entries stay as they are, and rows that are not `width` signs long.
 void readRow(Checker& checker, JsonValue value, int row, int width, const Legend& legend,
              std::vector<std::uint16_t>& ids);
 

@@ -50,7 +50,7 @@ std::optional<GridSize> measure(Checker& checker, JsonValue value) {
         if (level.count() > 0) depths.add(level.count());
         for (const JsonValue row : level) {
             if (row.isText()) {
-                widths.add(countCharacters(row.text()));
+                widths.add(countSigns(row.text()));
             } else {
                 checker.refuse(row, "a row: a text with one character for each tile");
             }

@@ -57,8 +57,8 @@ Map readMap(Reading& reading, JsonValue value, std::size_t index) {
     Legend legend = reading.legend;
     if (const auto own = fields->find("legend"))
         readLegend(checker, *own, reading.blueprints, "blueprint", legend);
-    for (const auto& [character, blueprint] : legend.entries())
-        map.legend.push_back({character, blueprint});
+    for (const auto& [sign, blueprint] : legend.entries())
+        map.legend.push_back({std::string(sign), blueprint});
     if (const auto levels = fields->require("levels", "an array of levels"))
         readLevels(reading, *levels, legend, map);
     const bool hasSize = map.width > 0;

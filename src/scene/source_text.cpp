@@ -1,14 +1,37 @@
 #include "scene/source_text.h"
 
+#include "base/number_text.h"
+#include "base/words.h"
+
 #include <algorithm>
 
 namespace slicecast {
 namespace {
 
 constexpr std::size_t kBytesPerMark = 256;
+constexpr int kMostJoined = 15;  // to one code point; the longest emoji have 9
+constexpr char32_t kJoiner = 0x200d;
 
 unsigned char byteAt(std::string_view text, std::size_t offset) {
     return static_cast<unsigned char>(text[offset]);
+}
+
+constexpr bool isWithin(char32_t c, char32_t first, char32_t last) {
+    return c >= first && c <= last;
+}
+
+// Two of these letters are a flag.
+bool isRegional(char32_t c) {
+    return isWithin(c, 0x1f1e6, 0x1f1ff);
+}
+
+// Belongs to the code point before it.
+bool joins(char32_t c) {
+    return isWithin(c, 0x300, 0x36f) || isWithin(c, 0x483, 0x489) || isWithin(c, 0x1ab0, 0x1aff) ||
+           isWithin(c, 0x1dc0, 0x1dff) || c == kJoiner || isWithin(c, 0x20d0, 0x20ff) ||
+           isWithin(c, 0x3099, 0x309a) || isWithin(c, 0xfe00, 0xfe0f) ||
+           isWithin(c, 0xfe20, 0xfe2f) || isWithin(c, 0x1f3fb, 0x1f3ff) ||
+           isWithin(c, 0xe0000, 0xe0fff);
 }
 
 bool isContinuation(std::string_view text, std::size_t offset) {
@@ -40,6 +63,35 @@ char32_t takeCodePoint(std::string_view text, std::size_t& offset) {
     return codePoint;
 }
 
+std::string_view takeSign(std::string_view text, std::size_t& offset) {
+    const std::size_t start = offset;
+    // Moves on if the next code point is a fitting one.
+    const auto take = [&](auto fits) {
+        std::size_t next = offset;
+        if (next == text.size() || !fits(takeCodePoint(text, next))) return false;
+        offset = next;
+        return true;
+    };
+    const char32_t first = takeCodePoint(text, offset);
+    if (offset == text.size() || byteAt(text, offset) < 0x80)
+        return text.substr(start, offset - start);
+    if (isRegional(first)) take(isRegional);
+    for (int joined = 0; joined < kMostJoined; ++joined) {
+        if (take([](char32_t c) { return c == kJoiner; })) {
+            take([](char32_t c) { return isWithin(c, 0x2100, 0x1ffff); });
+        } else if (!take(joins)) {
+            break;
+        }
+    }
+    return text.substr(start, offset - start);
+}
+
+std::size_t countSigns(std::string_view text) {
+    std::size_t count = 0;
+    for (std::size_t offset = 0; offset < text.size(); ++count) takeSign(text, offset);
+    return count;
+}
+
 std::size_t countCharacters(std::string_view text) {
     return static_cast<std::size_t>(std::count_if(text.begin(), text.end(), [](char c) {
         return (static_cast<unsigned char>(c) & 0xc0) != 0x80;
@@ -58,16 +110,34 @@ std::string toUtf8(char32_t codePoint) {
 }
 
 bool isPrintable(char32_t c) {
-    const auto within = [c](char32_t first, char32_t last) { return c >= first && c <= last; };
-    const bool control = c <= 0x20 || within(0x7f, 0xa0) || c == 0xad;
-    const bool joining = within(0x300, 0x36f) || within(0x200b, 0x200f) || within(0x2028, 0x202f) ||
-                         within(0x2060, 0x206f) || within(0x20d0, 0x20ff) ||
-                         within(0xfe00, 0xfe0f) || within(0xfe20, 0xfe2f) ||
-                         within(0x1f3fb, 0x1f3ff) || within(0xe0000, 0xe0fff);
+    const auto within = [c](char32_t first, char32_t last) { return isWithin(c, first, last); };
+    const bool control = c <= 0x20 || within(0x7f, 0xa0) || c == 0xad || within(0x200b, 0x200f) ||
+                         within(0x2028, 0x202f) || within(0x2060, 0x206f);
     const bool space = within(0x2000, 0x200a) || c == 0x205f || c == 0x3000 || c == 0x1680;
     const bool noCharacter = within(0xd800, 0xf8ff) || c == 0xfeff || within(0xfff0, 0xfffb) ||
                              (c & 0xfffe) == 0xfffe || within(0xfdd0, 0xfdef) || c > 0xeffff;
-    return !control && !joining && !space && !noCharacter;
+    return !control && !joins(c) && !space && !noCharacter;
+}
+
+bool isPrintableSign(std::string_view sign) {
+    std::size_t end = 0;
+    const char32_t first = takeCodePoint(sign, end);
+    // Half a flag, and what ends with a joiner, would take the next sign in.
+    const bool isOpen = (isRegional(first) && end == sign.size()) || sign.ends_with("\u200d");
+    return isPrintable(first) && !isOpen;
+}
+
+std::string codePointsOf(std::string_view text) {
+    std::string list;
+    for (std::size_t offset = 0; offset < text.size();) {
+        const char32_t c = takeCodePoint(text, offset);
+        std::string digits(hexText(c, c > 0xfffff ? 6 : c > 0xffff ? 5 : 4));
+        for (char& digit : digits) {
+            if (digit >= 'a') digit = static_cast<char>(digit - 'a' + 'A');
+        }
+        add(list, {list.empty() ? "U+" : " U+", digits});
+    }
+    return list;
 }
 
 SourceText::SourceText(std::string_view text) : text_(text) {

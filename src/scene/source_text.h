@@ -62,6 +62,15 @@ int utf8Length(std::string_view text, std::size_t offset);
 // The code point at `offset`, which is moved behind it. The text must be well-formed there.
 char32_t takeCodePoint(std::string_view text, std::size_t& offset);
 
+// The sign at `offset`, which is moved behind it: what people see as one character. Most are one
+// code point. Accents, shades, keycaps and the like belong to the code point before them, a flag is
+// two regional letters, and a joiner (U+200D) takes a symbol behind it. The text must be
+// well-formed there. web/engine/signs.js has the same rule.
+std::string_view takeSign(std::string_view text, std::size_t& offset);
+
+// The number of signs of well-formed UTF-8.
+std::size_t countSigns(std::string_view text);
+
 // The number of characters of well-formed UTF-8.
 std::size_t countCharacters(std::string_view text);
 
@@ -69,7 +78,11 @@ std::size_t countCharacters(std::string_view text);
 std::string toUtf8(char32_t codePoint);
 
 // True for what a person can see and type as one character: no control characters, no spaces,
-// nothing that joins the character before it.
+// nothing that joins the character before it or behind it.
 bool isPrintable(char32_t codePoint);
+bool isPrintableSign(std::string_view sign);
+
+// "U+2764 U+FE0F"
+std::string codePointsOf(std::string_view text);
 
 }  // namespace slicecast

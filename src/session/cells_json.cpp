@@ -2,20 +2,19 @@
 
 #include "base/number_text.h"
 #include "base/words.h"
-#include "scene/source_text.h"
 #include "session/edit_cells.h"
 #include "session/hits_json.h"
 
 namespace slicecast {
 namespace {
 
-// The last level of detail is a single texel.
 void writeColour(JsonText& json, const Texture& texture) {
-    const Colour colour = toColour(texture.levels.back().texels[0]);
-    if (colour.a == 0) {
+    const auto colour = averageColour(texture);
+    if (!colour) {
         json.null();
     } else {
-        const auto number = static_cast<std::uint64_t>(colour.r << 16 | colour.g << 8 | colour.b);
+        const auto number =
+            static_cast<std::uint64_t>(colour->r << 16 | colour->g << 8 | colour->b);
         json.text(words("#", hexText(number, 6)));
     }
 }
@@ -70,7 +69,7 @@ std::string blueprintsJson(const World& world, int mapIndex) {
     json.beginArray();
     for (const LegendEntry& entry : world.maps[static_cast<std::size_t>(mapIndex)].legend) {
         const CellBlueprint& blueprint = world.blueprints[entry.blueprint];
-        json.beginObject().key("character").text(toUtf8(entry.character));
+        json.beginObject().key("character").text(entry.sign);
         json.key("name").text(blueprint.name);
         json.key("bottom").number(blueprint.bottom.value());
         json.key("top").number(blueprint.top.value());

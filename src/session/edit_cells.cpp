@@ -1,8 +1,8 @@
 #include "session/edit_cells.h"
 
 #include "base/hash.h"
+#include "base/printable.h"
 #include "base/words.h"
-#include "scene/source_text.h"
 #include "world/variants.h"
 
 #include <algorithm>
@@ -11,19 +11,18 @@
 namespace slicecast {
 namespace {
 
-constexpr char32_t kEmptyCharacter = U'.';
+constexpr std::string_view kEmptySign = ".";
 
 // When a scene is loaded, blocks that move, open or have portals get blueprints of their own with
 // the same name.
-char32_t characterOf(const World& world, const Map& map, BlueprintId id) {
+std::string_view signOf(const World& world, const Map& map, BlueprintId id) {
     for (const LegendEntry& entry : map.legend) {
-        if (entry.blueprint == id) return entry.character;
+        if (entry.blueprint == id) return entry.sign;
     }
     for (const LegendEntry& entry : map.legend) {
-        if (world.blueprints[entry.blueprint].name == world.blueprints[id].name)
-            return entry.character;
+        if (world.blueprints[entry.blueprint].name == world.blueprints[id].name) return entry.sign;
     }
-    return kEmptyCharacter;
+    return kEmptySign;
 }
 
 // A mover has a blueprint in every place that it can reach. True if it stands there at rest.
@@ -43,13 +42,9 @@ const char* fixedKind(const CellBlueprint& blueprint) {
     return blueprint.hasPortals ? "a block with a portal" : "";
 }
 
-std::string shown(char32_t character) {
-    return isPrintable(character) ? words("\"", toUtf8(character), "\"") : "an invisible character";
-}
-
 std::string legendText(const Map& map) {
     std::string text = ".";
-    for (const LegendEntry& entry : map.legend) add(text, {" ", toUtf8(entry.character)});
+    for (const LegendEntry& entry : map.legend) add(text, {" ", entry.sign});
     return text;
 }
 
@@ -63,26 +58,30 @@ std::string outside(const char* what, int found, int count) {
 
 }  // namespace
 
+std::string_view signAt(const World& world, const CellAt& at) {
+    const Map& map = world.maps[static_cast<std::size_t>(at.map)];
+    const BlueprintId id = map.cells[map.cellIndex(at.x, at.y, at.level)];
+    const CellBlueprint& blueprint = world.blueprints[id];
+    const bool isEmpty =
+        id == kEmptyCell || (blueprint.mover >= 0 && !isAtRest(world, blueprint, id));
+    return isEmpty ? kEmptySign : signOf(world, map, id);
+}
+
 std::string cellRow(const World& world, int mapIndex, int level, int y) {
     const Map& map = world.maps[static_cast<std::size_t>(mapIndex)];
     std::string row;
     BlueprintId last = kEmptyCell;
-    std::string text(1, '.');
+    std::string_view sign = kEmptySign;
     for (int x = 0; x < map.width; ++x) {
         const BlueprintId id = map.cells[map.cellIndex(x, y, level)];
-        if (id != last) {
-            const CellBlueprint& blueprint = world.blueprints[id];
-            const bool isEmpty =
-                id == kEmptyCell || (blueprint.mover >= 0 && !isAtRest(world, blueprint, id));
-            text = toUtf8(isEmpty ? kEmptyCharacter : characterOf(world, map, id));
-            last = id;
-        }
-        row += text;
+        if (id != last) sign = signAt(world, {mapIndex, level, x, y});
+        last = id;
+        row += sign;
     }
     return row;
 }
 
-std::string CellEdits::set(World& world, const CellAt& at, char32_t character) {
+std::string CellEdits::set(World& world, const CellAt& at, std::string_view sign) {
     const int maps = static_cast<int>(world.maps.size());
     if (!isWithin(at.map, maps)) return outside("map", at.map, maps);
     Map& map = world.maps[static_cast<std::size_t>(at.map)];
@@ -91,12 +90,12 @@ std::string CellEdits::set(World& world, const CellAt& at, char32_t character) {
     if (!isWithin(at.y, map.depth)) return outside("y", at.y, map.depth);
 
     BlueprintId blueprint = kEmptyCell;
-    if (character != kEmptyCharacter && character != U' ') {
-        const auto entry = std::find_if(
-            map.legend.begin(), map.legend.end(),
-            [character](const LegendEntry& one) { return one.character == character; });
+    if (sign != kEmptySign && sign != " ") {
+        const auto entry =
+            std::find_if(map.legend.begin(), map.legend.end(),
+                         [sign](const LegendEntry& one) { return one.sign == sign; });
         if (entry == map.legend.end()) {
-            return words("found ", shown(character), ", expected one of ", legendText(map),
+            return words("found \"", printable(sign), "\", expected one of ", legendText(map),
                          ", as in the map's legend");
         }
         blueprint =

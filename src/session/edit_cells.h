@@ -1,10 +1,11 @@
-// Reads and changes the cells of a running world as the characters of its scene.
+// Reads and changes the cells of a running world as the signs of its scene (scene/source_text.h).
 //
 //     cellRow(world, map, level, y)                       "#..s#"; '.' is an empty cell
-//     edits.set(world, {map, level, x, y}, U'#');         "" on success, else a message
+//     signAt(world, {map, level, x, y})                   "#"
+//     edits.set(world, {map, level, x, y}, "#");          "" on success, else a message
 //     edits.undo(world);                                  restores the scene's cells
 //
-// Characters are those of the map's legend; if two stand for the same block, the first is given.
+// Signs are those of the map's legend; if two stand for the same block, the first is given.
 // Moving blocks appear where they stand at rest.
 #pragma once
 
@@ -12,6 +13,7 @@
 
 #include <cstddef>
 #include <string>
+#include <string_view>
 #include <vector>
 
 namespace slicecast {
@@ -27,14 +29,16 @@ struct CellAt {
 
 // Map, level and row must exist. UTF-8.
 std::string cellRow(const World& world, int map, int level, int y);
+// The cell must exist.
+std::string_view signAt(const World& world, const CellAt& at);
 
 class CellEdits {
 public:
-    // Puts the block of a character into a cell; '.' and the space empty it. Returns an empty text
-    // on success, else a message, and changes nothing: for a place outside the map, for a character
-    // that its legend lacks, and for blocks that are set up when the scene is loaded. Those are
+    // Puts the block of a sign into a cell; '.' and the space empty it. Returns an empty text on
+    // success, else a message, and changes nothing: for a place outside the map, for a sign that
+    // its legend lacks, and for blocks that are set up when the scene is loaded. Those are
     // blocks that move, gates, and blocks with portals, both in the cell and as its new content.
-    std::string set(World& world, const CellAt& at, char32_t character);
+    std::string set(World& world, const CellAt& at, std::string_view sign);
     void undo(World& world);
 
     // Hashes which cells differ from the scene's, and how.

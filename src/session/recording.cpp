@@ -44,8 +44,7 @@ struct Performer {
                         fromUnits(entry.look, kRecordedHeight)});
     }
     void operator()(const RecordedCell& entry) const {
-        session.setCell({entry.map, entry.level, entry.x, entry.y},
-                        static_cast<char32_t>(entry.character));
+        session.setCell({entry.map, entry.level, entry.x, entry.y}, entry.sign);
     }
     void operator()(const RecordedOption& entry) const {
         session.setOption(entry.name, entry.value);

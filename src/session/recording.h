@@ -82,7 +82,7 @@ struct RecordedCell {
     int level = 0;
     int x = 0;
     int y = 0;
-    int character = 0;  // of the map's legend, its number in Unicode
+    std::string sign;  // of the map's legend
 };
 struct RecordedOption {
     std::string name;

@@ -72,8 +72,9 @@ struct Writer {
     }
     void operator()(const RecordedCell& entry) const {
         out += "cell";
-        for (const int number : {entry.map, entry.level, entry.x, entry.y, entry.character})
-            add(out, {" ", number});
+        for (const int number : {entry.map, entry.level, entry.x, entry.y}) add(out, {" ", number});
+        for (std::size_t offset = 0; offset < entry.sign.size();)
+            add(out, {" ", static_cast<int>(takeCodePoint(entry.sign, offset))});
     }
     void operator()(const RecordedOption& entry) const {
         add(out, {"set ", entry.name, " ", entry.value});
@@ -238,7 +239,10 @@ RecordedCell readCell(Line& line) {
     cell.level = line.smallNumber(0, kMaxLevels - 1, "the level");
     cell.x = line.smallNumber(0, kMaxMapWidth - 1, "the cell's x");
     cell.y = line.smallNumber(0, kMaxMapDepth - 1, "the cell's y");
-    cell.character = line.smallNumber(1, 0x10ffff, "a Unicode character number");
+    do {
+        const int character = line.smallNumber(1, 0x10ffff, "a Unicode character number");
+        cell.sign += toUtf8(static_cast<char32_t>(character));
+    } while (line.hasMore());
     return cell;
 }
 

@@ -13,7 +13,8 @@
 //     heading 92160                     faces 90 degrees
 //     eye 0 98304 98304 32768 0 0       moves the eye: map, x, y, z (65536 is a unit), heading,
 //                                       look (65536 is a screen height)
-//     cell 0 1 12 7 35                  changes a cell: map, level, x, y, Unicode character
+//     cell 0 1 12 7 35                  changes a cell: map, level, x, y, and the sign as the
+//                                       numbers of its Unicode characters
 //                                       (35 is #)
 //     reset                             back to the start
 //     mark on-the-bridge 1f0c...        names this moment; with a hash of the eye's pose

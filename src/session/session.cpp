@@ -323,11 +323,11 @@ bool Session::goToMap(int map) {
     return true;
 }
 
-std::string Session::setCell(const CellAt& at, char32_t character) {
-    std::string fault = edits_.set(world_, at, character);
+std::string Session::setCell(const CellAt& at, std::string_view sign) {
+    std::string fault = edits_.set(world_, at, sign);
     if (!fault.empty()) return fault;
     if (recorder_ != nullptr)
-        recorder_->add(RecordedCell{at.map, at.level, at.x, at.y, static_cast<int>(character)});
+        recorder_->add(RecordedCell{at.map, at.level, at.x, at.y, std::string(sign)});
     if (!player_.flying && !isFree(world_, travellerOf(player_)))
         slicecast::setFlying(world_, player_, true);
     return {};

@@ -107,7 +107,7 @@ public:
     // Changes a cell of the running world (see CellEdits::set). Returns "" on success, else a
     // message. The eye stays where it is: a player inside the new block flies until out of it, as
     // after setEye.
-    std::string setCell(const CellAt& at, char32_t character);
+    std::string setCell(const CellAt& at, std::string_view sign);
 
     // Records everything that affects the player, until null is given. Start with the session, or
     // the recording is useless.

@@ -561,11 +561,11 @@ EMSCRIPTEN_KEEPALIVE const char* slicecast_blueprints(SlicecastSession* session,
 
 EMSCRIPTEN_KEEPALIVE const char* slicecast_setCell(SlicecastSession* session, int32_t map,
                                                    int32_t level, int32_t x, int32_t y,
-                                                   int32_t character) {
+                                                   const char* sign) {
     Session* game = session->game();
     if (game == nullptr) return session->give("no scene is loaded");
     session->changed();
-    return session->give(game->setCell({map, level, x, y}, static_cast<char32_t>(character)));
+    return session->give(game->setCell({map, level, x, y}, sign));
 }
 
 EMSCRIPTEN_KEEPALIVE const double* slicecast_spot(SlicecastSession* session, int32_t map, double x,

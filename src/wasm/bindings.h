@@ -263,10 +263,10 @@ const double* slicecast_project(SlicecastSession* session, int32_t map, double x
 const char* slicecast_cells(SlicecastSession* session, int32_t map);
 const char* slicecast_blueprints(SlicecastSession* session, int32_t map);
 
-// Changes a cell of the running world (session/edit_cells.h) until slicecast_reset; `character` is
-// its Unicode number. The eye stays where it is. Returns "" on success, else a message.
+// Changes a cell of the running world (session/edit_cells.h) until slicecast_reset; `sign` is
+// UTF-8. The eye stays where it is. Returns "" on success, else a message.
 const char* slicecast_setCell(SlicecastSession* session, int32_t map, int32_t level, int32_t x,
-                              int32_t y, int32_t character);
+                              int32_t y, const char* sign);
 
 // Where a place of the world appears in a picture of this size, seen from the eye of the last
 // picture. The numbers are those of slicecast_project, then 1 if the place is inside the picture

@@ -61,9 +61,9 @@ struct Fog {
     double end = 1.0;    // units, > start
 };
 
-// A character of the scene's rows, and its blueprint.
+// A sign of the scene's rows (scene/source_text.h), and its blueprint.
 struct LegendEntry {
-    char32_t character = 0;
+    std::string sign;  // UTF-8
     BlueprintId blueprint = kEmptyCell;
 };
 

@@ -68,6 +68,11 @@ std::vector<Pixel> columnsOf(const Image& sheet, int frame, int width, int top, 
     return columns;
 }
 
+std::optional<Colour> averageColour(const Texture& texture) {
+    const Colour colour = toColour(texture.levels.back().texels[0]);
+    return colour.a == 0 ? std::nullopt : std::optional(colour);
+}
+
 std::vector<Pixel> halved(const std::vector<Pixel>& columns, int height) {
     std::vector<Pixel> half = firstOf(columns, columns.size() / 4);
     const Pixel* left = columns.data();

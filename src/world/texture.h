@@ -15,6 +15,7 @@
 #include "world/texel_runs.h"
 
 #include <cstdint>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -50,6 +51,9 @@ struct Texture {
         return frame == 0 ? levels : laterFrames[static_cast<std::size_t>(frame - 1)];
     }
 };
+
+// Of the first frame; none where all of it is a hole.
+std::optional<Colour> averageColour(const Texture& texture);
 
 // The columns of a sheet's frame, `width` pixels wide; of its rows those from `top` on.
 std::vector<Pixel> columnsOf(const Image& sheet, int frame, int width, int top, int height);

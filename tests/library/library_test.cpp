@@ -35,7 +35,7 @@ struct Corridor {
     SceneBuilder builder{"Corridor"};
     SceneBuilder::Texture grey = builder.colour("grey", {128, 128, 128});
     SceneBuilder::Block wall =
-        builder.block({.name = "wall", .texture = grey, .top = 0.5, .character = U'#'});
+        builder.block({.name = "wall", .texture = grey, .top = 0.5, .sign = "#"});
     SceneBuilder::Map map =
         builder.map({.name = "corridor", .width = 8, .depth = 3, .levels = 2, .floor = grey});
 
@@ -237,13 +237,13 @@ TEST(Library, SetsOptionsAndCells) {
     EXPECT_NE(game.setOption("fov", "many"), "");
     EXPECT_NE(game.setOption("no such option", "1"), "");
     EXPECT_EQ(game.option("no such option"), "");
-    EXPECT_EQ(game.setCell(0, 0, 5, 1, U'.'), "");
+    EXPECT_EQ(game.setCell(0, 0, 5, 1, "."), "");
     EXPECT_TRUE(game.hits(64, 40, 32).empty());
-    EXPECT_EQ(game.setCell(0, 0, 3, 1, U'#'), "");
+    EXPECT_EQ(game.setCell(0, 0, 3, 1, "#"), "");
     EXPECT_EQ(game.hits(64, 40, 32).at(0).tileX, 3);
-    EXPECT_NE(game.setCell(0, 0, 8, 1, U'#'), "");
-    EXPECT_NE(game.setCell(1, 0, 0, 0, U'#'), "");
-    EXPECT_NE(game.setCell(0, 0, 3, 1, U'?'), "");
+    EXPECT_NE(game.setCell(0, 0, 8, 1, "#"), "");
+    EXPECT_NE(game.setCell(1, 0, 0, 0, "#"), "");
+    EXPECT_NE(game.setCell(0, 0, 3, 1, "?"), "");
 }
 
 TEST(Library, CopiesASceneWhenAsked) {
@@ -251,7 +251,7 @@ TEST(Library, CopiesASceneWhenAsked) {
     ASSERT_TRUE(built.scene.has_value());
     Game first(built.scene->copy());
     Game second(std::move(*built.scene));
-    EXPECT_EQ(first.setCell(0, 0, 5, 1, U'.'), "");
+    EXPECT_EQ(first.setCell(0, 0, 5, 1, "."), "");
     EXPECT_TRUE(first.hits(64, 40, 32).empty());
     EXPECT_FALSE(second.hits(64, 40, 32).empty());
 }
@@ -365,8 +365,7 @@ TEST(SceneBuilder, ChecksEveryRange) {
              faultOf([](C c) { c.builder.block({.name = "b", .texture = c.grey, .light = 1.5}); }),
              faultOf(
                  [&](C c) { c.builder.block({.name = "b", .texture = c.grey, .mirror = nan}); }),
-             faultOf(
-                 [](C c) { c.builder.block({.name = "b", .texture = c.grey, .character = U'#'}); }),
+             faultOf([](C c) { c.builder.block({.name = "b", .texture = c.grey, .sign = "#"}); }),
              faultOf([](C c) {
                  c.builder.map({.name = "m", .width = 0, .depth = 1, .floor = c.grey});
              }),

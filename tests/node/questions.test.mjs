@@ -253,9 +253,9 @@ test('a set cell looks as if the scene had it', async () => {
   assert.deepEqual(scene.cells(start.map), cells);
   assert.ok(sameBytes(scene.pixels(kSize), before));
   for (const [words, message] of [
-    [[start.map, 0, 1, 1, 'ab'], /found "ab", expected one character/],
-    [[start.map, 0, 1, 1, ''], /found "", expected one character/],
-    [[start.map, 0, 1, 1], /found undefined, expected one character/],
+    [[start.map, 0, 1, 1, 'ab'], /found "ab", expected one of \. .* legend\.$/u],
+    [[start.map, 0, 1, 1, ''], /found "", expected one of \. /],
+    [[start.map, 0, 1, 1], /found undefined, expected a character of the map's legend/],
     [[start.map, 0, 1.5, 1, '.'], /found x 1.5, expected a whole number/],
     [[start.map, 0, -1, 1, '.'], /found x -1, expected a whole number from 0 to /],
     [[start.map, 99, 1, 1, '.'], /found level 99, expected a whole number from 0 to /],

@@ -539,6 +539,23 @@ TEST(ParseScene, PlacesFaultsAfterEscapes) {
     EXPECT_EQ(behind[1].character, 2);
 }
 
+// Signs of several characters count as one tile; the column counts characters.
+TEST(ParseScene, TakesSignsOfSeveralCharacters) {
+    const std::vector<Fault> faults =
+        parseScene(smallScene("[[\"###\", \"#\u2764\ufe0f#\", \"###\"]]"), "test.json").faults;
+    ASSERT_EQ(faults.size(), 1u);
+    EXPECT_EQ(faults[0].found, "'\u2764\ufe0f' (U+2764 U+FE0F)");
+    EXPECT_EQ(faults[0].character, 1);
+    const std::vector<Fault> behind =
+        parseScene(smallScene("[[\"###\", \"\u2764\ufe0f\U0001f1e9\U0001f1eaQ\", \"###\"]]"),
+                   "test.json")
+            .faults;
+    ASSERT_EQ(behind.size(), 3u);
+    EXPECT_EQ(behind[2].found, "'Q'");
+    EXPECT_EQ(behind[2].character, 2);
+    EXPECT_EQ(behind[2].column, behind[0].column + 4);
+}
+
 TEST(ParseScene, NeedsNoBlueprints) {
     const World world =
         load(R"({ "title": "Plain", "textures": { "grass": "broken/images/brick.png" },

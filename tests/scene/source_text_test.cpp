@@ -4,6 +4,10 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
+#include <fstream>
+#include <string>
+
 namespace slicecast {
 namespace {
 
@@ -108,6 +112,34 @@ TEST(SourceText, TellsVisibleCharacters) {
           U'\u3000', U'\ufe0f', U'\ufeff'}) {
         EXPECT_FALSE(isPrintable(unseen)) << static_cast<unsigned>(unseen);
     }
+}
+
+// tests/web/signs.test.mjs reads the same list: texts with a space between their signs.
+TEST(SourceText, SplitsTextsIntoSigns) {
+    std::ifstream file(SLICECAST_SOURCE_FOLDER "/tests/scene/signs.txt");
+    ASSERT_TRUE(file);
+    int lines = 0;
+    for (std::string line; std::getline(file, line); ++lines) {
+        std::string text = line;
+        text.erase(std::remove(text.begin(), text.end(), ' '), text.end());
+        std::string split;
+        for (std::size_t offset = 0; offset < text.size();) {
+            if (offset > 0) split += ' ';
+            split += takeSign(text, offset);
+        }
+        EXPECT_EQ(split, line);
+        EXPECT_EQ(countSigns(text), line.size() - text.size() + 1) << line;
+    }
+    EXPECT_GT(lines, 15);
+}
+
+TEST(SourceText, TellsWhichSignsStandAlone) {
+    for (const char* sign :
+         {"#", "\u2764\ufe0f", "\U0001f1e9\U0001f1ea", "1\ufe0f\u20e3", "e\u0301"})
+        EXPECT_TRUE(isPrintableSign(sign)) << sign;
+    for (const char* sign : {"\u0301", "\ufe0f", "\u200d", "\U0001f1e9", "\u2764\u200d", " \u0301"})
+        EXPECT_FALSE(isPrintableSign(sign)) << sign;
+    EXPECT_EQ(codePointsOf("\u2764\ufe0f"), "U+2764 U+FE0F");
 }
 
 }  // namespace

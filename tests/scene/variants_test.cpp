@@ -119,12 +119,12 @@ TEST(Variants, ChangeWithTheCellsThatAreSet) {
     for (int x = 0; x < kWidth; ++x) {
         const BlueprintId before = world.maps[0].cell(x, 5, 1);
         const std::string two = textureAt(world, x, 5, 1);
-        ASSERT_EQ(edits.set(world, {0, 1, x, 5}, U'2'), "");
+        ASSERT_EQ(edits.set(world, {0, 1, x, 5}, "2"), "");
         // Its sides have the same pictures as before, its top one of its own.
         EXPECT_EQ(textureAt(world, x, 5, 1), two);
         EXPECT_EQ(textureAt(world, x, 5, 1, Face::top),
                   variantNumber(x, 5, 1) % 2 == 0 ? "red" : "worn");
-        ASSERT_EQ(edits.set(world, {0, 1, x, 5}, U'#'), "");
+        ASSERT_EQ(edits.set(world, {0, 1, x, 5}, "#"), "");
         EXPECT_EQ(world.maps[0].cell(x, 5, 1), before);
     }
 }

@@ -40,7 +40,7 @@ World walledYard() {
 ...d.l.
 #######
 )")
-        .legend = {{U'#', 1}, {U'w', 1}, {U'ß', 2}, {U'l', 3}, {U'g', 4}, {U'd', 5}};
+        .legend = {{"#", 1}, {"w", 1}, {"ß", 2}, {"l", 3}, {"g", 4}, {"d", 5}};
     make.world.portals.push_back({.fromX = 3, .fromY = 4, .toX = 2, .toY = 1});
     EXPECT_TRUE(makeMovers(make.world).empty());
     EXPECT_TRUE(makeGates(make.world).empty());
@@ -65,7 +65,7 @@ TEST(EditCells, RowsEqualTheScenes) {
         << "where the lift can come to";
     for (int i = 0; i < 400; ++i) session.step({});
     EXPECT_EQ(rows(session, 0), ground) << "the lift is elsewhere now";
-    EXPECT_EQ(session.setCell({0, 2, 6, 3}, U'ß'), "");
+    EXPECT_EQ(session.setCell({0, 2, 6, 3}, "ß"), "");
     EXPECT_EQ(rows(session, 2)[3], "......ß");
     EXPECT_EQ(cellsJson(session.world(), 0).substr(0, 22), "[[\"#######\",\".....g.\",");
 }
@@ -77,8 +77,8 @@ TEST(EditCells, DrawsTheChangedWorld) {
     Session written(std::move(other));
     Session edited(walledYard());
     const std::vector<Pixel> before = drawn(edited).pixels;
-    EXPECT_EQ(edited.setCell({0, 0, 4, 2}, U'#'), "");
-    EXPECT_EQ(edited.setCell({0, 0, 3, 5}, U' '), "");
+    EXPECT_EQ(edited.setCell({0, 0, 4, 2}, "#"), "");
+    EXPECT_EQ(edited.setCell({0, 0, 3, 5}, " "), "");
     EXPECT_EQ(drawn(edited).pixels, drawn(written).pixels);
     EXPECT_NE(drawn(edited).pixels, before);
     EXPECT_EQ(edited.trace(160, 100, 80).hits.size(), written.trace(160, 100, 80).hits.size());
@@ -98,7 +98,7 @@ TEST(EditCells, KeepsTheEyeInsideOfANewBlock) {
     for (int i = 0; i < 10; ++i) session.step({.forward = 1.0});
     const Eye eye = session.eye();
     EXPECT_FALSE(session.player().flying);
-    EXPECT_EQ(session.setCell({0, 0, 1, 2}, U'#'), "");
+    EXPECT_EQ(session.setCell({0, 0, 1, 2}, "#"), "");
     EXPECT_EQ(session.eye(), eye);
     EXPECT_TRUE(session.player().flying);
     session.step({});
@@ -107,29 +107,29 @@ TEST(EditCells, KeepsTheEyeInsideOfANewBlock) {
     EXPECT_GT(session.eye().x.value(), 2.2) << "flies out";
     // A block elsewhere changes nothing of the player.
     Session walker(walledYard());
-    EXPECT_EQ(walker.setCell({0, 0, 4, 3}, U'#'), "");
+    EXPECT_EQ(walker.setCell({0, 0, 4, 3}, "#"), "");
     EXPECT_FALSE(walker.player().flying);
 }
 
 TEST(EditCells, RefusesBlocksThatAreSetUpAtLoading) {
     Session session(walledYard());
     const std::uint64_t before = session.fingerprint();
-    const auto refusal = [&](CellAt at, char32_t character) {
-        return session.setCell(at, character);
+    const auto refusal = [&](CellAt at, std::string_view sign) {
+        return session.setCell(at, sign);
     };
-    EXPECT_EQ(refusal({0, 0, 5, 4}, U'.').substr(0, 27), "found a block that moves, \"");
-    EXPECT_EQ(refusal({0, 1, 5, 4}, U'#').substr(0, 27), "found a block that moves, \"")
+    EXPECT_EQ(refusal({0, 0, 5, 4}, ".").substr(0, 27), "found a block that moves, \"");
+    EXPECT_EQ(refusal({0, 1, 5, 4}, "#").substr(0, 27), "found a block that moves, \"")
         << "where it can come to";
-    EXPECT_EQ(refusal({0, 0, 5, 1}, U'#').substr(0, 14), "found a gate, ");
-    EXPECT_EQ(refusal({0, 0, 3, 4}, U'.').substr(0, 27), "found a block with a portal");
-    EXPECT_EQ(refusal({0, 0, 2, 2}, U'l').substr(0, 27), "found a block that moves, \"");
-    EXPECT_EQ(refusal({0, 0, 2, 2}, U'g').substr(0, 14), "found a gate, ");
-    EXPECT_EQ(refusal({0, 0, 2, 2}, U'Q'),
+    EXPECT_EQ(refusal({0, 0, 5, 1}, "#").substr(0, 14), "found a gate, ");
+    EXPECT_EQ(refusal({0, 0, 3, 4}, ".").substr(0, 27), "found a block with a portal");
+    EXPECT_EQ(refusal({0, 0, 2, 2}, "l").substr(0, 27), "found a block that moves, \"");
+    EXPECT_EQ(refusal({0, 0, 2, 2}, "g").substr(0, 14), "found a gate, ");
+    EXPECT_EQ(refusal({0, 0, 2, 2}, "Q"),
               "found \"Q\", expected one of . # w ß l g d, as in the map's legend");
-    EXPECT_EQ(refusal({1, 0, 2, 2}, U'#'), "found map 1, expected a whole number from 0 to 0");
-    EXPECT_EQ(refusal({0, 3, 2, 2}, U'#'), "found level 3, expected a whole number from 0 to 2");
-    EXPECT_EQ(refusal({0, 0, 7, 2}, U'#'), "found x 7, expected a whole number from 0 to 6");
-    EXPECT_EQ(refusal({0, 0, 2, -1}, U'#'), "found y -1, expected a whole number from 0 to 5");
+    EXPECT_EQ(refusal({1, 0, 2, 2}, "#"), "found map 1, expected a whole number from 0 to 0");
+    EXPECT_EQ(refusal({0, 3, 2, 2}, "#"), "found level 3, expected a whole number from 0 to 2");
+    EXPECT_EQ(refusal({0, 0, 7, 2}, "#"), "found x 7, expected a whole number from 0 to 6");
+    EXPECT_EQ(refusal({0, 0, 2, -1}, "#"), "found y -1, expected a whole number from 0 to 5");
     EXPECT_EQ(session.fingerprint(), before);
 }
 
@@ -137,19 +137,19 @@ TEST(EditCells, UndoRestoresTheScenesCells) {
     Session session(walledYard());
     const std::vector<std::string> ground = rows(session, 0);
     const std::uint64_t before = session.fingerprint();
-    EXPECT_EQ(session.setCell({0, 0, 2, 2}, U'#'), "");
-    EXPECT_EQ(session.setCell({0, 0, 2, 2}, U'ß'), "");
-    EXPECT_EQ(session.setCell({0, 0, 3, 0}, U'.'), "");
+    EXPECT_EQ(session.setCell({0, 0, 2, 2}, "#"), "");
+    EXPECT_EQ(session.setCell({0, 0, 2, 2}, "ß"), "");
+    EXPECT_EQ(session.setCell({0, 0, 3, 0}, "."), "");
     EXPECT_NE(session.fingerprint(), before);
     session.reset();
     EXPECT_EQ(rows(session, 0), ground);
     EXPECT_EQ(session.fingerprint(), before);
     // Back by hand is the same as never.
-    EXPECT_EQ(session.setCell({0, 0, 2, 2}, U'#'), "");
-    EXPECT_EQ(session.setCell({0, 0, 2, 2}, U'.'), "");
+    EXPECT_EQ(session.setCell({0, 0, 2, 2}, "#"), "");
+    EXPECT_EQ(session.setCell({0, 0, 2, 2}, "."), "");
     EXPECT_EQ(session.fingerprint(), before);
     // Another session that takes the world over has none of it.
-    EXPECT_EQ(session.setCell({0, 0, 2, 2}, U'#'), "");
+    EXPECT_EQ(session.setCell({0, 0, 2, 2}, "#"), "");
     Session other(session.takeWorld());
     EXPECT_EQ(rows(other, 0), ground);
 }
@@ -159,8 +159,8 @@ TEST(EditCells, AreRecorded) {
     Recorder recorder("yard");
     session.record(&recorder);
     for (int i = 0; i < 30; ++i) session.step({.forward = 1.0});
-    EXPECT_EQ(session.setCell({0, 0, 3, 2}, U'ß'), "");
-    EXPECT_EQ(session.setCell({0, 0, 4, 2}, U'#'), "");
+    EXPECT_EQ(session.setCell({0, 0, 3, 2}, "ß"), "");
+    EXPECT_EQ(session.setCell({0, 0, 4, 2}, "#"), "");
     for (int i = 0; i < 200; ++i) session.step({.forward = 1.0});
     const std::string text = writeRecording(recorder.finish(session));
     EXPECT_NE(text.find("\ncell 0 0 3 2 223\n"), std::string::npos) << text;

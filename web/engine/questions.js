@@ -7,7 +7,7 @@
 //
 // Bad arguments throw a RangeError that says what was found and what is expected.
 
-import { withBytes } from './module-memory.js';
+import { withBytes, withStrings } from './module-memory.js';
 import { unknown } from './nearest-name.js';
 import { readCast, readColumns, readHits, readPacked, readPick, readTrace } from './read-packed.js';
 
@@ -123,12 +123,12 @@ export class Questions {
     for (const [name, value] of Object.entries({ level, x, y })) {
       if (!Number.isInteger(value)) throw misread('setCell', `${name} ${value}`, 'a whole number');
     }
-    const characters = typeof character === 'string' ? [...character] : [];
-    if (characters.length !== 1)
-      throw misread('setCell', JSON.stringify(character), "one character of the map's legend");
-    const code = character.codePointAt(0);
+    if (typeof character !== 'string')
+      throw misread('setCell', String(character), "a character of the map's legend");
     const index = this.#mapIndex('setCell', map);
-    const refusal = this.#text(this.#call('setCell', index, level, x, y, code));
+    const refusal = withStrings(this.#module, [character], (at) =>
+      this.#text(this.#call('setCell', index, level, x, y, at)),
+    );
     if (refusal !== '') throw new RangeError(`setCell: ${refusal}.`);
   }
 

@@ -12,6 +12,8 @@
 // Rows may come from strangers: readRows takes time linear in the text. Only padded() can take
 // more.
 
+import { signsOf } from './signs.js';
+
 // For trimmed lines. Neither pattern backtracks more the longer a line is.
 const kSeparator = /^-{3,}\s*(\w*)$/;
 const kLegendLine = /^(\S+?)\s*=\s*(\S.*)$/s;
@@ -99,7 +101,7 @@ function linesOf(levels) {
   });
 }
 
-// Counts code units, of which a few characters take two: the sizes are upper bounds.
+// Counts code units, of which some signs take several: the sizes are upper bounds.
 function sizeOf(levels) {
   const greatest = (numbers) => numbers.reduce((most, one) => Math.max(most, one), 0);
   return {
@@ -109,7 +111,7 @@ function sizeOf(levels) {
 }
 
 export function padded(levels) {
-  const characters = levels.map((rows) => rows.map((row) => [...row]));
+  const characters = levels.map((rows) => rows.map(signsOf));
   const { width, depth } = sizeOf(characters);
   return characters.map((rows) =>
     Array.from({ length: depth }, (_, y) => {

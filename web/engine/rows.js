@@ -39,6 +39,7 @@
 //                 1 = #                    what # means, as for maps of numbers
 
 import { padded, readRows } from './rows-text.js';
+import { signsOf } from './signs.js';
 import { sceneFault } from './trouble.js';
 
 const kWater = 'water'; // the texture to wade in
@@ -109,8 +110,10 @@ const kColours = {
 };
 const kSkyColours = { low: '#d4e0d9', high: '#5b8fc7' };
 
+const isSign = (text) => signsOf(text).length === 1;
+
 const kColour = /^#([0-9a-f]{3}){1,2}$/i;
-const kUnfit = /^[\p{C}\p{M}\p{Z}‖▪]$/u; // the engine shows no such letters; two are our own
+const kUnfit = /^[\p{C}\p{M}\p{Z}‖▪]|^\p{RI}$|\u200d$/u; // the engine takes no such signs; two are our own
 const kMeaning =
   'a texture, a colour as #c03020 or a .png file; behind it "floor" or a height up to 1';
 const kRows =
@@ -163,7 +166,7 @@ export function sceneOfRows(
 
   const start = tiles.find(({ character }) => isStart(character, own));
   const blocks = levelsOf(levels, own);
-  const letters = [...new Set(blocks.flat().join(''))].filter((letter) => letter !== '.');
+  const letters = [...new Set(blocks.flat().flatMap(signsOf))].filter((letter) => letter !== '.');
   const blueprints = Object.fromEntries(
     letters.map((letter) => [blueprintName(letter, own), blueprintOf(letter, own)]),
   );
@@ -248,9 +251,9 @@ function readLegend(legend) {
         ? typeof meaning === 'object' && meaning !== null
         : (kColour.test(texture) || /^[\w-]+$|\.png$/i.test(texture)) &&
           (height === null || (height > 0 && height <= 1)));
-    if (kLegend.has(meaning) && [...character].length === 1) own.alike.set(character, meaning);
+    if (kLegend.has(meaning) && isSign(character)) own.alike.set(character, meaning);
     else if (key === 'sky' && isSound) own.sky = texture ?? meaning;
-    else if ([...character].length !== 1 || !isSound)
+    else if (!isSign(character) || !isSound)
       own.faults.push([`the meaning of "${key}", ${JSON.stringify(meaning)}`, kMeaning]);
     else if (!isFloor && (character === ' ' || character === '.'))
       own.faults.push([`"${key}" as a block`, 'another character: this one is always a floor']);
@@ -276,7 +279,7 @@ function fullColour(texture) {
 }
 
 function tileFaults(tiles, own, fault) {
-  const known = new Set([...kLegend, ...own.named.filter((key) => [...key].length === 1)]);
+  const known = new Set([...kLegend, ...own.named.filter(isSign)]);
   const expected = `one of ${[...known].filter((character) => character !== ' ').join(' ')} or a blank`;
   const unknown = tiles
     .filter(({ character }) => !known.has(character))
@@ -416,7 +419,7 @@ function floorOf(rows, own) {
       })
       .join(''),
   );
-  const seen = new Set(tiles.flatMap((row) => [...row]));
+  const seen = new Set(tiles.flatMap(signsOf));
   const used = Object.entries(own.floors)
     .map(([character, texture]) => [character === '.' ? kFloorLetter : character, texture])
     .filter(([letter]) => letter !== ' ' && seen.has(letter));

@@ -161,10 +161,10 @@ public:
     std::string setOption(std::string_view name, std::string_view value);
     std::string option(std::string_view name) const;
 
-    // Puts the block of a legend character into a cell; '.' empties it. Returns an empty text on
-    // success, else what is wrong: no such cell or character, or a block that moves, opens or leads
-    // elsewhere.
-    std::string setCell(int map, int level, int x, int y, char32_t character);
+    // Puts the block of a sign, a character of the legend in UTF-8, into a cell; "." empties it.
+    // Returns an empty text on success, else what is wrong: no such cell or sign, or a block that
+    // moves, opens or leads elsewhere.
+    std::string setCell(int map, int level, int x, int y, std::string_view sign);
 
     // The blocks that one column of a picture of this size meets, front to back. Empty if there is
     // no such column or picture.

@@ -54,7 +54,7 @@ public:
         std::optional<Rise> rise = {};  // makes the top a slope; not with `diagonal` or `mirror`
         double light = 1.0;             // share of the map's light that its faces receive, 0 to 1
         double mirror = 0.0;            // how strongly its top mirrors what is above, 0 to 1
-        char32_t character = 0;         // for Game::setCell; 0 for none
+        std::string sign = {};  // for Game::setCell, a single visible character; may be empty
     };
     struct MapSpec {
         std::string name = {};                 // not empty, unique
