@@ -1,6 +1,6 @@
-# Configures, builds and runs the project in `outside` in one of three ways.
+# Configures, builds and runs the project in `outside` in one of four ways.
 #
-#     cmake -DWAY=add_subdirectory | FetchContent | find_package -DSLICECAST=FOLDER -DBUILD=FOLDER
+#     cmake -DWAY=add_subdirectory | FetchContent | find_package | pkg-config -DSLICECAST=FOLDER -DBUILD=FOLDER
 #           -DWORK=FOLDER -DGENERATOR=NAME -DCOMPILER=FILE [-DLAUNCHER=FILE] -P run_outside.cmake
 #
 # SLICECAST is the source tree, BUILD a build of it whose library is built, WORK is emptied first.
@@ -24,9 +24,22 @@ set(options -DWAY=${WAY} -DSLICECAST=${SLICECAST} -DCMAKE_CXX_COMPILER=${COMPILE
 if(LAUNCHER)
   list(APPEND options -DCMAKE_CXX_COMPILER_LAUNCHER=${LAUNCHER})
 endif()
-if(WAY STREQUAL "find_package")
+if(WAY MATCHES "find_package|pkg-config")
   run(${CMAKE_COMMAND} --install ${BUILD} --component slicecast --prefix ${WORK}/prefix)
   list(APPEND options -DCMAKE_PREFIX_PATH=${WORK}/prefix)
+endif()
+if(WAY STREQUAL "pkg-config")
+  # Without CMake. An installation may be moved.
+  file(RENAME ${WORK}/prefix ${WORK}/moved)
+  file(GLOB_RECURSE package ${WORK}/moved/slicecast.pc)
+  get_filename_component(ENV{PKG_CONFIG_PATH} ${package} DIRECTORY)
+  execute_process(COMMAND pkg-config --cflags --libs slicecast COMMAND_ERROR_IS_FATAL ANY
+    OUTPUT_VARIABLE flags OUTPUT_STRIP_TRAILING_WHITESPACE)
+  separate_arguments(flags)
+  run(${COMPILER} -std=c++20 -I${WORK}/host ${WORK}/host/main.cpp ${flags} -o ${WORK}/outside)
+  run(${WORK}/outside)
+  file(REMOVE_RECURSE ${WORK})
+  return()
 endif()
 run(${CMAKE_COMMAND} -G ${GENERATOR} -S ${WORK}/host -B ${WORK}/build ${options})
 run(${CMAKE_COMMAND} --build ${WORK}/build --target outside)

@@ -35,3 +35,4 @@
 #include "slicecast/scene.h"
 #include "slicecast/scene_builder.h"
 #include "slicecast/sound.h"
+#include "slicecast/version.h"

@@ -20,6 +20,6 @@ int main() {
     const slicecast::Image picture = game.picture(64, 40);
     if (picture.empty()) return 1;
     const slicecast::Colour middle = slicecast::toColour(picture.at(32, 20));
-    std::printf("%d: %d %d %d\n", kHostsWorld, middle.r, middle.g, middle.b);
+    std::printf("%s, %d: %d %d %d\n", SLICECAST_VERSION, kHostsWorld, middle.r, middle.g, middle.b);
     return middle.r > 100 && middle.g == 0 ? 0 : 1;
 }
