@@ -5,6 +5,7 @@
 #include "render/classic/classic_options.h"
 #include "render/options.h"
 #include "session/light_presets.h"
+#include "slicecast/option.h"
 
 #include <cstdint>
 #include <optional>
@@ -50,27 +51,6 @@ struct SessionOptions {
     int drawnColumns = -1;     // slices drawn, from the left; -1 for all
     double speed = 1.0;        // multiplies the player's moving speeds
     bool bob = true;           // a swimmer's eye bobs with the water
-};
-
-enum class OptionKind {
-    onOff,        // "on" or "off"
-    number,       // from least to greatest
-    wholeNumber,  // the same, without a fraction
-    ownOrNumber,  // "map" for each map's own value, or a number
-    choice,       // one word of a list
-    ownOrColour,  // "map" for each map's own value, or a colour as "#rrggbb"
-};
-
-struct OptionInfo {
-    const char* name;
-    const char* label;  // for a settings dialog
-    const char* group;  // "view", "light", "overlays", "moving" or "classic"
-    OptionKind kind;
-    double least;  // of numbers
-    double greatest;
-    const char* standard;  // the default, as setOption takes it
-    const char* description;
-    const char* choices = "";  // the words of a choice, separated by spaces
 };
 
 // All options, in the order of a list.

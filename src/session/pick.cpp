@@ -51,6 +51,16 @@ SeenThing nearestSeen(const World& world, const SliceTrace& trace) {
 }
 // #endregion
 
+bool isThing(const SeenThing& seen) {
+    return seen.rows->texture != kNoTexture && !seen.isHole;
+}
+
+const SliceTrace* reflectionAt(const SliceTrace& trace, const SeenThing& picked) {
+    const bool isSeen = isThing(picked) && !picked.rows->layer && isMirrored(trace) &&
+                        !trace.reflection.empty() && !trace.reflection[0].seen.empty();
+    return isSeen ? &trace.reflection[0] : nullptr;
+}
+
 double heightOf(const World& world, const SliceTrace& trace, const FilledRows& rows, double z) {
     const bool isSloped =
         rows.hit >= 0 && !world.blueprints[trace.hits[static_cast<std::size_t>(rows.hit)].blueprint]
@@ -90,7 +100,6 @@ void writeSeen(Json& json, const World& world, const SliceTrace& trace, int colu
     const SeenThing picked = nearestSeen(world, trace);
     const FilledRows& rows = *picked.rows;
     const SeenPoint& point = *picked.point;
-    const bool isThing = rows.texture != kNoTexture && !picked.isHole;
     json.beginObject().key("column").number(column).key("row").number(trace.watchedRow);
     json.key("what").text(nameOf(picked.isHole ? What::haze : rows.what));
     json.key("map").text(mapName(world, rows.map)).key("portals").number(rows.portals);
@@ -110,7 +119,7 @@ void writeSeen(Json& json, const World& world, const SliceTrace& trace, int colu
         json.null();
     }
     json.key("texture");
-    if (isThing) {
+    if (isThing(picked)) {
         json.text(textureName(world, rows));
         json.key("point").beginTuple().number(point.x).number(point.y);
         json.number(heightOf(world, trace, rows, point.z)).endArray();
@@ -122,9 +131,8 @@ void writeSeen(Json& json, const World& world, const SliceTrace& trace, int colu
         json.key("alpha").number(255);
     }
     json.key("reflection");
-    if (isThing && !rows.layer && isMirrored(trace) && !trace.reflection.empty() &&
-        !trace.reflection[0].seen.empty()) {
-        writeSeen(json, world, trace.reflection[0], column);
+    if (const SliceTrace* const reflection = reflectionAt(trace, picked)) {
+        writeSeen(json, world, *reflection, column);
     } else {
         json.null();
     }

@@ -40,9 +40,15 @@ struct SeenThing {
     bool isHole = false;  // of a floor: the pixel shows the haze below it
 };
 SeenThing nearestSeen(const World& world, const SliceTrace& trace);
+// Whether it has a texture, unlike sky, haze and holes.
+bool isThing(const SeenThing& seen);
 
 // The height of that point; `z` is SeenPoint's. Exact for horizontal planes.
 double heightOf(const World& world, const SliceTrace& trace, const FilledRows& rows, double z);
+
+// Where a mirror shows something in the place of what was picked, the slice that it shows; else
+// null.
+const SliceTrace* reflectionAt(const SliceTrace& trace, const SeenThing& picked);
 
 // Column and row must lie within the picture; `Json` is JsonText or PackedJson.
 template <typename Json>

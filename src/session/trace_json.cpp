@@ -1,13 +1,12 @@
 #include "session/trace_json.h"
 
+#include "session/frame_trace.h"
 #include "session/hits_json.h"
 
-#include <algorithm>
 #include <array>
 #include <cstddef>
 #include <cstdint>
 #include <initializer_list>
-#include <limits>
 #include <utility>
 #include <vector>
 
@@ -57,20 +56,27 @@ void writeTracedTile(Json& json, const World& world, const WalkedTile& tile,
     json.endObject();
 }
 
-const std::string& textureName(const World& world, bool isSprite, std::size_t texture) {
-    return isSprite ? world.sprites[texture].name : world.textures[texture].name;
-}
-
 }  // namespace
 
 const std::string& textureName(const World& world, const FilledRows& rows) {
-    return textureName(world, rows.what == What::object, rows.texture);
+    return rows.what == What::object ? world.sprites[rows.texture].name
+                                     : world.textures[rows.texture].name;
+}
+
+TexelSize sizeOfDetail(const World& world, const FilledRows& rows, int detail) {
+    const auto index = static_cast<std::size_t>(detail);
+    if (rows.what == What::object) {
+        const SpriteLevel& level = world.sprites[rows.texture].frames[0][index];
+        return {level.width, level.height};
+    }
+    const int side = world.textures[rows.texture].levels[index].size;
+    return {side, side};
 }
 
 template <typename Json>
 void writeTexel(Json& json, const World& world, const FilledRows& rows, const TracedTexel& texel,
                 int row) {
-    const auto detail = static_cast<std::size_t>(texel.detail);
+    const TexelSize size = sizeOfDetail(world, rows, texel.detail);
     json.beginObject()
         .key("row")
         .number(row)
@@ -78,13 +84,7 @@ void writeTexel(Json& json, const World& world, const FilledRows& rows, const Tr
         .number(texel.depth)
         .key("detail")
         .number(texel.detail);
-    if (rows.what == What::object) {
-        const SpriteLevel& level = world.sprites[rows.texture].frames[0][detail];
-        json.key("size").pair(level.width, level.height);
-    } else {
-        const TextureLevel& level = world.textures[rows.texture].levels[detail];
-        json.key("size").pair(level.size, level.size);
-    }
+    json.key("size").pair(size.width, size.height);
     json.key("u")
         .number(texel.u)
         .key("v")
@@ -152,9 +152,10 @@ void writeSlice(Json& json, const Session& session, const SliceTrace& trace) {
 }
 
 // Writes one number for each column.
-void writeColumns(JsonText& json, const char* key, const std::vector<double>& numbers) {
+template <typename Number>
+void writeColumns(JsonText& json, const char* key, const FrameTrace& frame, Number numberOf) {
     json.line(2).key(key).beginArray();
-    for (const double number : numbers) json.number(number);
+    for (const ColumnSums& column : frame.columns) json.number(numberOf(column));
     json.endArray();
 }
 
@@ -165,61 +166,13 @@ void writeNumbers(JsonText& json, const char* key,
     json.endObject();
 }
 
-// Sums over all columns of a picture.
-struct Sums {
-    explicit Sums(int width)
-        : nearest(static_cast<std::size_t>(width), std::numeric_limits<double>::infinity()),
-          tiles(nearest.size()),
-          hits(tiles),
-          layers(tiles) {
-        rows.fill(tiles);
-    }
-
-    void add(const SliceTrace& trace) {
-        const auto column = static_cast<std::size_t>(trace.column);
-        tiles[column] = static_cast<double>(trace.tiles.size());
-        hits[column] = static_cast<double>(trace.hits.size());
-        for (const FilledRows& run : trace.filled) {
-            (run.layer ? layers : rows[static_cast<std::size_t>(run.what)])[column] +=
-                run.last - run.first;
-            if (run.hit >= 0 || run.object >= 0)
-                nearest[column] = std::min({nearest[column], run.top.depth, run.bottom.depth});
-            if (!hasTexture(run)) continue;
-            auto& ofKind = texels[run.what == What::object ? 1 : 0];
-            if (ofKind.size() <= run.texture) ofKind.resize(run.texture + std::size_t{1});
-            for (std::size_t m = 0; m < kMostDetails; ++m)
-                ofKind[run.texture][m] += run.rowsOfDetail[m];
-        }
-    }
-
-    std::vector<double> nearest;
-    std::vector<double> tiles;
-    std::vector<double> hits;
-    std::vector<double> layers;
-    std::array<std::vector<double>, kKinds.size()> rows;
-    std::array<std::vector<std::array<std::int64_t, kMostDetails>>, 2>
-        texels;  // by texture and sprite
-};
-
-void writeTextures(JsonText& json, const World& world, const Sums& sums) {
+void writeTextures(JsonText& json, const FrameTrace& frame) {
     json.line(1).key("textures").beginArray();
-    for (const bool isSprite : {false, true}) {
-        const auto& texels = sums.texels[isSprite ? 1 : 0];
-        for (std::size_t i = 0; i < texels.size(); ++i) {
-            std::size_t levelCount = kMostDetails;
-            while (levelCount > 0 && texels[i][levelCount - 1] == 0) --levelCount;
-            if (levelCount == 0) continue;
-            json.line(2)
-                .beginObject()
-                .key("name")
-                .text(textureName(world, isSprite, i))
-                .key("kind")
-                .text(isSprite ? "sprite" : "texture");
-            json.key("texels").beginArray();
-            for (std::size_t m = 0; m < levelCount; ++m)
-                json.number(static_cast<double>(texels[i][m]));
-            json.endArray().endObject();
-        }
+    for (const TextureUse& use : frame.textures) {
+        json.line(2).beginObject().key("name").text(use.name);
+        json.key("kind").text(use.isSprite ? "sprite" : "texture").key("texels").beginArray();
+        for (const std::int64_t rows : use.rows) json.number(static_cast<double>(rows));
+        json.endArray().endObject();
     }
     json.endArray();
 }
@@ -261,41 +214,23 @@ void packTraces(Session& session, const std::string& sceneName, int width, int h
 }
 
 std::string frameTraceJson(Session& session, const std::string& sceneName, int width, int height) {
-    const FrameReport report = session.measure(width, height);
-    Sums sums(width);
-    std::vector<int> columns(static_cast<std::size_t>(width));
-    for (int column = 0; column < width; ++column)
-        columns[static_cast<std::size_t>(column)] = column;
-    double horizonRow = 0.0;
-    double projectionDistance = 0.0;
-    const TraceRequest request = {
-        .width = width, .height = height, .columns = columns, .reflections = false};
-    session.trace(request, [&](const SliceTrace& slice) {
-        sums.add(slice);
-        horizonRow = slice.horizonRow;
-        projectionDistance = slice.projectionDistance;
-    });
-
+    const FrameTrace frame = frameTrace(session, width, height);
     JsonText json;
     json.beginObject();
     writeView(json, session, sceneName, width, height);
-    json.line(1)
-        .key("horizonRow")
-        .number(horizonRow)
-        .line(1)
-        .key("projectionDistance")
-        .number(projectionDistance);
+    json.line(1).key("horizonRow").number(frame.horizonRow);
+    json.line(1).key("projectionDistance").number(frame.projectionDistance);
     const auto number = [](std::int64_t whole) { return static_cast<double>(whole); };
     writeNumbers(json, "totals",
-                 {{"tilesWalked", number(report.tilesWalked)},
-                  {"blocksMet", number(report.blocksMet)},
-                  {"spansDrawn", number(report.spansDrawn)},
-                  {"rowsFilled", number(report.rowsFilled)},
-                  {"layers", number(report.layers)},
-                  {"objectSlices", number(report.objectSlices)},
-                  {"walksBehindPortals", number(report.partsBehindPortals)},
-                  {"deepestPortal", number(report.deepestPortal)},
-                  {"mirroredRows", number(report.mirroredRows)}});
+                 {{"tilesWalked", number(frame.tilesWalked)},
+                  {"blocksMet", number(frame.blocksMet)},
+                  {"spansDrawn", number(frame.spansDrawn)},
+                  {"rowsFilled", number(frame.rowsFilled)},
+                  {"layers", number(frame.layers)},
+                  {"objectSlices", number(frame.objectSlices)},
+                  {"walksBehindPortals", number(frame.walksBehindPortals)},
+                  {"deepestPortal", number(frame.deepestPortal)},
+                  {"mirroredRows", number(frame.mirroredRows)}});
     if (const ProcessTimes* times = session.times()) {
         writeNumbers(json, "times",
                      {{"framesPerSecond", times->framesPerSecond},
@@ -305,16 +240,19 @@ std::string frameTraceJson(Session& session, const std::string& sceneName, int w
     } else {
         json.line(1).key("times").null();
     }
-    writeTextures(json, session.world(), sums);
+    writeTextures(json, frame);
     json.line(1).key("columns").beginObject();
-    writeColumns(json, "nearest", sums.nearest);
-    writeColumns(json, "tiles", sums.tiles);
-    writeColumns(json, "hits", sums.hits);
+    using Column = const ColumnSums&;
+    writeColumns(json, "nearest", frame, [](Column column) { return column.nearest; });
+    writeColumns(json, "tiles", frame, [](Column column) { return column.tiles; });
+    writeColumns(json, "hits", frame, [](Column column) { return column.hits; });
     json.line(2).key("rows").beginObject();
-    for (const What what : kKinds)
-        writeColumns(json, nameOf(what), sums.rows[static_cast<std::size_t>(what)]);
+    for (const What what : kKinds) {
+        writeColumns(json, nameOf(what), frame,
+                     [what](Column column) { return column.rows[static_cast<std::size_t>(what)]; });
+    }
     json.endObject();
-    writeColumns(json, "layers", sums.layers);
+    writeColumns(json, "layers", frame, [](Column column) { return column.layers; });
     return json.endObject().line(0).endObject().str() + "\n";
 }
 

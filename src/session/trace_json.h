@@ -92,6 +92,12 @@ std::string frameTraceJson(Session& session, const std::string& sceneName, int w
 template <typename Json>
 void writeTexel(Json& json, const World& world, const FilledRows& rows, const TracedTexel& texel,
                 int row);
-const std::string& textureName(const World& world, const FilledRows& rows);  // not for sky and haze
+// Of the texture or the sprite; not for sky and haze.
+const std::string& textureName(const World& world, const FilledRows& rows);
+struct TexelSize {
+    int width = 0;
+    int height = 0;
+};
+TexelSize sizeOfDetail(const World& world, const FilledRows& rows, int detail);
 
 }  // namespace slicecast

@@ -19,7 +19,7 @@ set(may_examples "")
 
 # src/include/slicecast is what others include. Its headers know each other and nothing else; of
 # them every part shares the plain data, and the library alone has the rest.
-set(plainData "colour|face|fault|half|image|input|picture|sound")
+set(plainData "colour|face|fault|half|image|input|option|picture|sound|trace")
 
 # The slow renderer of the old ways shares plain data with the fast one, which knows nothing of it.
 set(classicShares "classic/[a-z_]+|eye|options|shading|trace")

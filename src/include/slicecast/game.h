@@ -7,16 +7,21 @@
 // Reads no clock and prints nothing. For play in real time, call step() 120 times a second.
 #pragma once
 
+#include "slicecast/blueprint.h"
 #include "slicecast/face.h"
 #include "slicecast/image.h"
 #include "slicecast/input.h"
+#include "slicecast/option.h"
 #include "slicecast/picture.h"
+#include "slicecast/ray.h"
 #include "slicecast/scene.h"
 #include "slicecast/sound.h"
+#include "slicecast/trace.h"
 
 #include <cstdint>
 #include <memory>
 #include <optional>
+#include <span>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -36,54 +41,25 @@ struct Camera {
                                   // -4 to 4, positive looks up
 };
 
-// Rows first <= row < last of a picture, 0 at the top.
-struct RowRange {
-    int first = 0;
-    int last = 0;
-};
-
-// A block that one column of a picture passes, seen or not. "Front" is where the column's ray
-// enters the block's tile, "back" where it leaves it. Rows are real numbers: the middle of row r is
-// r + 0.5. In the tile of the eye the front depth is 0 and front rows are infinite.
-struct ColumnHit {
-    int map = 0;      // of the block
-    int portals = 0;  // passed by the ray before it
-    int tileX = 0;
-    int tileY = 0;
-    int level = 0;
-    std::string block;         // name of its blueprint
-    std::optional<Face> face;  // where the ray enters; none in the tile of the eye
-    double x = 0.0;            // the point where it enters, in the map's units
-    double y = 0.0;
-    double distance = 0.0;  // from the eye to that point along the ground, units
-    double depth = 0.0;     // the same measured straight ahead; sizes in the picture depend on it
-    double backDepth = 0.0;
-    double bottom = 0.0;  // heights above the map's floor, units
-    double top = 0.0;
-    double topFrontRow = 0.0;
-    double bottomFrontRow = 0.0;
-    double topBackRow = 0.0;
-    double bottomBackRow = 0.0;
-    std::vector<RowRange> rows;  // where the block is seen, from the top; empty if it is hidden
-};
-
-enum class Seen : std::uint8_t { side, roof, underside, floor, ceiling, sky, haze, object };
-
-// What a pixel shows.
+// What a pixel shows: the nearest thing that has no hole there.
 struct Pick {
     Seen what = Seen::sky;
-    int map = 0;               // of the visible point
-    int portals = 0;           // passed between the eye and the point
-    std::optional<Face> face;  // this and the next four are set for blocks only
-    int tileX = 0;
+    int map = 0;      // of the visible point
+    int portals = 0;  // passed between the eye and the point
+    int tileX = 0;    // of a block, the floor or the ceiling; 0 for others
     int tileY = 0;
+    std::optional<Face> face;  // this and the next two are set for blocks only
     int level = 0;
     std::string block;    // name of its blueprint
+    int object = -1;      // its number in the map; -1 for others
     std::string texture;  // name of the texture or sprite; empty for sky and haze
     double x = 0.0;       // the visible point, in the map's units; 0 for sky and haze
     double y = 0.0;
     double z = 0.0;
-    double depth = 0.0;  // straight ahead, units; infinite for sky and haze
+    double depth = 0.0;            // straight ahead, units; infinite for sky and haze
+    std::optional<Texel> texel;    // none for sky and haze
+    int alpha = 255;               // of that texel, 1 to 255: below 255 something shows through
+    std::vector<Pick> reflection;  // what a mirror shows there: one element, or none
 };
 
 // The position of a world point in a picture.
@@ -154,24 +130,52 @@ public:
     // Returns false and changes nothing if there is no such map.
     bool goToMap(int map);
 
-    // Options by name: "fov" in degrees, "minimap", "inspector", "mirrors" and all others that
-    // `slicecast --help` lists. Values are texts as there ("on", "75"). setOption() returns an
-    // empty text on success; else it changes nothing and returns what it found and expected.
+    // Options by name: "fov" in degrees, "minimap", "inspector", "mirrors" and all others of
+    // options(). Values are texts as `slicecast --set` takes them ("on", "75"). setOption() returns
+    // an empty text on success; else it changes nothing and returns what it found and expected.
     // option() returns an empty text for an unknown name.
     std::string setOption(std::string_view name, std::string_view value);
     std::string option(std::string_view name) const;
 
-    // Puts the block of a sign, a character of the legend in UTF-8, into a cell; "." empties it.
-    // Returns an empty text on success, else what is wrong: no such cell or sign, or a block that
-    // moves, opens or leads elsewhere.
+    // All options with what they take, in the order of a list.
+    static std::span<const OptionInfo> options();
+
+    // The cells of a map as rows of signs: [level][y], each row from west to east. A sign is a
+    // character of the legend, in UTF-8; '.' is an empty cell. Blocks that move appear where they
+    // stand at rest. Empty if there is no such map.
+    std::vector<std::vector<std::string>> cells(int map) const;
+
+    // The sign of one cell; empty if there is no such cell.
+    std::string cell(int map, int level, int x, int y) const;
+
+    // Puts the block of a sign into a cell; "." empties it. Returns an empty text on success, else
+    // what is wrong: no such cell or sign, or a block that moves, opens or leads elsewhere.
     std::string setCell(int map, int level, int x, int y, std::string_view sign);
+
+    // The blocks of a map's legend, in its order. Empty if there is no such map.
+    std::vector<Blueprint> blueprints(int map) const;
 
     // The blocks that one column of a picture of this size meets, front to back. Empty if there is
     // no such column or picture.
     std::vector<ColumnHit> hits(int width, int height, int column);
 
+    // Everything that columns of a picture of this size did, in the order asked for; many at once
+    // take far less time than one by one. Empty if there is no such picture, or not one of the
+    // columns, or if more than kMaxPictureSide are asked for.
+    std::vector<ColumnTrace> trace(int width, int height, std::span<const int> columns);
+
+    // What drawing a picture of this size takes. Nothing if there is no such picture.
+    std::optional<FrameTrace> traceFrame(int width, int height);
+
+    // What a free ray meets. Nothing if there is no such map or a number is outside its range.
+    std::optional<Ray> cast(const RayStart& from) const;
+
     // The nearest thing at a pixel of a picture of this size; nothing if there is no such pixel.
     std::optional<Pick> pick(int width, int height, int column, int row);
+
+    // Where a point of the player's map (units) appears in a picture of this size, hidden or not.
+    // Nothing for a point that is not in front of the eye, and if there is no such picture.
+    std::optional<ScreenPoint> project(double x, double y, double z, int width, int height) const;
 
     // What the player hears: first what sounded once since the last call, at most 32 sounds, then
     // what lasts now, one of each kind. Call it once for each picture, and make the
@@ -183,10 +187,6 @@ public:
 
     // What has happened in it since the last call, oldest first; the first 64 if it is long ago.
     std::vector<GameNews> takeNews();
-
-    // Where a point of the player's map (units) appears in a picture of this size, hidden or not.
-    // Nothing for a point that is not in front of the eye, and if there is no such picture.
-    std::optional<ScreenPoint> project(double x, double y, double z, int width, int height) const;
 
     const std::string& title() const;
     std::vector<MapInfo> maps() const;

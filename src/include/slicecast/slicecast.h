@@ -24,15 +24,19 @@
 //              compiler and on every machine.
 #pragma once
 
+#include "slicecast/blueprint.h"
 #include "slicecast/colour.h"
 #include "slicecast/face.h"
 #include "slicecast/fault.h"
 #include "slicecast/game.h"
 #include "slicecast/image.h"
 #include "slicecast/input.h"
+#include "slicecast/option.h"
 #include "slicecast/picture.h"
+#include "slicecast/ray.h"
 #include "slicecast/save_image.h"
 #include "slicecast/scene.h"
 #include "slicecast/scene_builder.h"
 #include "slicecast/sound.h"
+#include "slicecast/trace.h"
 #include "slicecast/version.h"
