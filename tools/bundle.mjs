@@ -37,6 +37,15 @@ const smallSheets = {
     }),
 };
 
+const { version } = JSON.parse(await readFile(inFolder('package.json'), 'utf8'));
+const versionOfPackage = {
+  name: 'version',
+  setup: ({ onLoad }) =>
+    onLoad({ filter: /[\\/]element[\\/]version\.js$/ }, () => ({
+      contents: `export const version = ${JSON.stringify(version)};`,
+    })),
+};
+
 // Makes addresses relative to the bundle instead of the module.
 const addressesFrom = (script) => ({
   name: 'addresses',
@@ -73,7 +82,7 @@ const bundle = async (script, external) => {
     metafile: true,
     format: 'esm',
     external: external.filter((other) => other !== script),
-    plugins: [smallSheets, addressesFrom(script)],
+    plugins: [smallSheets, versionOfPackage, addressesFrom(script)],
   });
   return { script, text, modules: Object.keys(inputs).map((name) => path.resolve(name)) };
 };

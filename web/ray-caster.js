@@ -7,6 +7,7 @@
 // document (server rendering) importing this does nothing.
 
 import { RayCaster } from './element/ray-caster-element.js';
+import { version } from './element/version.js';
 
 export { errorCodes } from './element/faults.js';
 export { RayCaster };
@@ -14,6 +15,12 @@ export { RayCaster };
 // Increased when something that pages rely on changes its meaning.
 export const apiVersion = 1;
 
-// If a page loads two copies of this script, the first one serves both.
-if (globalThis.customElements?.get('ray-caster') === undefined)
-  globalThis.customElements?.define('ray-caster', RayCaster);
+RayCaster.version = version;
+
+// If a page loads two copies of this script, the first one serves both: a tag is defined only once.
+const defined = globalThis.customElements?.get('ray-caster');
+if (defined === undefined) globalThis.customElements?.define('ray-caster', RayCaster);
+else if (defined.version !== version)
+  console.warn(
+    `<ray-caster> stays version ${defined.version}, whose script ran first, and version ${version} is not used. Load only one of the two scripts.`,
+  );

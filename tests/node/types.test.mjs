@@ -23,6 +23,7 @@ test('a page that uses the element compiles', () => {
     import { apiVersion, errorCodes, RayCaster, type Cast, type FrameTrace, type Pick, type RayCasterAttributes, type SliceTrace, type View } from './ray-caster.js';
     const element = document.createElement('ray-caster');
     const version: 1 = apiVersion;
+    const release: string = RayCaster.version;
     element.addEventListener('error', ({ detail }) => console.log(errorCodes[detail.code].remedy, detail.faults[0]?.place));
     element.addEventListener('click', ({ clientX }) => console.log(clientX));
     element.addEventListener('anything', () => {});
@@ -42,7 +43,7 @@ test('a page that uses the element compiles', () => {
     console.log(depths, walks, ray.end.why, picked?.point?.[2], rows, levels, element.project(1, 2, 3)?.clientX, element.pixels().data);
     const trace: SliceTrace | FrameTrace | null = element.trace(column);
     const attributes: RayCasterAttributes = { scene: 'castle', controls: true, autoplay: true, loading: 'eager' };
-    console.log(version, view, picture, element instanceof RayCaster, element.trace(3)?.walk, element.trace().totals, trace, attributes);`),
+    console.log(version, release, view, picture, element instanceof RayCaster, element.trace(3)?.walk, element.trace().totals, trace, attributes);`),
     [],
   );
 });

@@ -5,7 +5,7 @@ import { readFileSync } from 'node:fs';
 import { join } from 'node:path';
 import { test } from 'node:test';
 
-import { apiVersion } from '../../build/web/ray-caster.js';
+import { RayCaster, apiVersion } from '../../build/web/ray-caster.js';
 import { loadModule, root } from '../wasm/load.mjs';
 
 const read = (name) => readFileSync(join(root, name), 'utf8');
@@ -13,6 +13,7 @@ const version = /project\(Slicecast VERSION (\d+\.\d+\.\d+) /.exec(read('CMakeLi
 
 test('the package has the version of the project, which no other source repeats', () => {
   assert.equal(JSON.parse(read('build/web/package.json')).version, version);
+  assert.equal(RayCaster.version, version);
   for (const name of ['web', 'tools', 'tests', 'tests/hosts'])
     assert.equal(JSON.parse(read(`${name}/package.json`)).version, undefined, name);
 });

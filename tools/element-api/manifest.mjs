@@ -33,6 +33,14 @@ export function customElementsManifest(table) {
                 ...typed(row),
                 readonly: row.readonly === true,
               })),
+              ...table.statics.map(({ name, type, description }) => ({
+                kind: 'field',
+                name,
+                static: true,
+                readonly: true,
+                type: { text: type },
+                description,
+              })),
               ...table.methods.map(method),
             ],
             events: table.events.map(({ name, detail, description }) => ({

@@ -43,7 +43,10 @@ export function documentation({ errorCodes, version, options, scenes }) {
     properties: rows(
       'property',
       ['Property', 'Type', 'What it tells'],
-      table.properties.map((row) => [row.name, type(row), text(row.description)]),
+      [
+        ...table.properties,
+        ...table.statics.map((row) => ({ ...row, name: `${table.className}.${row.name}` })),
+      ].map((row) => [row.name, type(row), text(row.description)]),
     ),
     methods: rows('method', ['Method', 'Gives', 'What it does'], table.methods.map(method)),
     events: rows(

@@ -46,6 +46,9 @@ function element(table, names) {
       ({ name, type, readonly, description }) =>
         `${comment(description)}${readonly ? 'readonly ' : ''}${name}: ${type};`,
     ),
+    ...table.statics.map(
+      ({ name, type, description }) => `${comment(description)}static readonly ${name}: ${type};`,
+    ),
     ...table.methods.map(method),
   ];
   const events = table.events.map(
