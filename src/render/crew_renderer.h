@@ -28,6 +28,7 @@ public:
     int drawSome(const World& world, const Eye& eye, const RenderOptions& options,
                  const Picture& picture, int firstColumn);
     const FrameReport& report() const { return report_; }
+    LitMaps& lit() { return renderers_.front().lit(); }
     SliceTrace trace(const World& world, const Eye& eye, const RenderOptions& options,
                      const ColumnRequest& request) {
         return renderers_.front().trace(world, eye, options, request);

@@ -70,6 +70,25 @@ FaceTexels::FaceTexels(const TextureLevel& shown, LitFace face, Coordinate shift
     b = {isSide ? Way::downward : isFromBelow ? Way::backward : Way::forward, shiftB};
 }
 
+LightColour lightAt(const FaceNodes& nodes, std::int32_t a, std::int32_t b) {
+    LightColour light{};
+    for (std::size_t channel = 0; channel < light.size(); ++channel) {
+        int sum = 8192;
+        for (const int nodeA : {0, 1}) {
+            for (const int nodeB : {0, 1}) {
+                const int weightA = (a & 32767) >> 8;
+                const int weightB = (b & 32767) >> 8;
+                const Pixel node = nodes.nodes[FaceNodes::index(a >> 15, b >> 15, nodeA, nodeB)];
+                sum += static_cast<int>(node >> (8 * channel) & 255) *
+                       (nodeA == 1 ? weightA : 128 - weightA) *
+                       (nodeB == 1 ? weightB : 128 - weightB);
+            }
+        }
+        light[channel] = (sum >> 14) + (sum >> 21);
+    }
+    return light;
+}
+
 void lightColumn(Pixel* out, int u, int first, int last, const FaceTexels& face,
                  const FaceNodes& nodes) {
     const TextureLevel& level = face.level;

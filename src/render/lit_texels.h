@@ -41,6 +41,9 @@ struct FaceTexels {
     FaceTexels(const TextureLevel& shown, LitFace face, Coordinate shiftA, Coordinate shiftB);
 };
 
+// The light at a place along the two axes of a face, in 1/65536 of its tile: 0 to 256.
+LightColour lightAt(const FaceNodes& nodes, std::int32_t a, std::int32_t b);
+
 // Lights the texels [first, last) of a column of the level into out[0] and so on. May also write up
 // to three places before and behind, within the column.
 void lightColumn(Pixel* out, int u, int first, int last, const FaceTexels& texels,

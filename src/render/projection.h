@@ -36,6 +36,10 @@ struct Projection {
     GroundDirection right;
 
     Projection(const Eye& eye, const RenderOptions& options, int pictureWidth, int pictureHeight);
+    // Rows alone.
+    Projection(int rows, double toPlane, double horizonRow) : height(rows), distance(toPlane) {
+        setHorizon(horizonRow);
+    }
 
     // The same upside down, for reflected rays: its row r has the negated slope of row height - 1 -
     // r.

@@ -122,6 +122,10 @@ bool Renderer::drawStrips(const World& world, const Eye& eye, const RenderOption
     return true;
 }
 
+LitMaps& Renderer::lit() {
+    return scratch_->memory.lit;
+}
+
 const FrameReport& Renderer::report() const {
     return scratch_->report;
 }

@@ -14,6 +14,7 @@
 #pragma once
 
 #include "render/eye.h"
+#include "render/lit_maps.h"
 #include "render/options.h"
 #include "render/trace.h"
 #include "slicecast/picture.h"
@@ -56,6 +57,9 @@ public:
 
     // The work of the last draw.
     const FrameReport& report() const;
+
+    // What is known of baked light, for whoever draws the same world in another way.
+    LitMaps& lit();
 
     // Traces one column of such a picture without drawing. Empty for an invalid eye or column.
     SliceTrace trace(const World& world, const Eye& eye, const RenderOptions& options,

@@ -49,6 +49,14 @@ bool hasRipples(const World& world) {
                        });
 }
 
+int rippledBy(const RippledPoint& point, int most) {
+    const double shift = point.offset * point.offset / point.perSquare *
+                         (waveAt(point.x, point.y, point.step) * point.ripples) / 262144.0;
+    // Rounds down by a conversion, from above 0
+    const double limit = most;
+    return static_cast<int>(std::clamp(shift, -limit, limit) + (limit + 0.5)) - most;
+}
+
 void findMirrorPlanes(const Frame& frame, const ColumnSpans& found) {
     std::vector<int>& planes = frame.ripples.planes;
     planes.assign(static_cast<std::size_t>(frame.vistas.projection().height), 0);
@@ -90,7 +98,6 @@ const int* findRippledRows(const Frame& frame, int column, const ColumnSpans& fo
     const int eyeY = vista.viewpoint.tileY() * 256;
     const double perSquare = height * vista.projection->distance;
     const int step = static_cast<int>(frame.world->steps & 1023);
-    const double most = frame.rippleRows;
     // Rows near the horizon show the far water, whose waves are too low to move anything
     const double stillOffset =
         std::sqrt(0.499 * 262144.0 / kHighestWave / span.ripples * perSquare);
@@ -107,11 +114,8 @@ const int* findRippledRows(const Frame& frame, int column, const ColumnSpans& fo
             eyeY + static_cast<int>(
                        PlaneLine::position(line.southStart, line.southPerInverse, inverse) >> 24);
         const double offset = row + 0.5 - vista.projection->horizon;
-        const double shift =
-            offset * offset / perSquare * (waveAt(x, y, step) * span.ripples) / 262144.0;
-        // Rounds down by a conversion, from above 0
         const int moved =
-            static_cast<int>(std::clamp(shift, -most, most) + (most + 0.5)) - frame.rippleRows;
+            rippledBy({x, y, step, span.ripples, offset, perSquare}, frame.rippleRows);
         rows[static_cast<std::size_t>(row)] = std::clamp(row + moved, first, last - 1);
     }
     return rows.data();

@@ -32,6 +32,19 @@ inline int mostRippleRows(int height) {
     return height / 24;
 }
 
+// A point of a mirror with ripples, at a step of the world.
+struct RippledPoint {
+    int x = 0;  // 1/256 units
+    int y = 0;
+    int step = 0;
+    int ripples = 0;         // of the mirror, of 255
+    double offset = 0.0;     // rows below the horizon
+    double perSquare = 1.0;  // the eye's height over the mirror, times the distance to the plane
+};
+
+// By how many rows, at most `most`, what it reflects is moved down.
+int rippledBy(const RippledPoint& point, int most);
+
 // Finds which rows of a column show mirrors.
 void findMirrorPlanes(const Frame& frame, const ColumnSpans& found);
 

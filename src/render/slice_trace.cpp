@@ -26,28 +26,6 @@ bool isPlane(What what) {
     return !hasTexels(what) && what != What::sky && what != What::haze;
 }
 
-using BakedLight = decltype(TracedTexel::baked);
-
-// The light of a face at (a, b), in 1/65536 of its tile along its two axes.
-BakedLight lightAt(const FaceNodes& nodes, int a, int b) {
-    BakedLight light{};
-    for (std::size_t channel = 0; channel < light.size(); ++channel) {
-        int sum = 8192;
-        for (const int nodeA : {0, 1}) {
-            for (const int nodeB : {0, 1}) {
-                const int weightA = (a & 32767) >> 8;
-                const int weightB = (b & 32767) >> 8;
-                const Pixel node = nodes.nodes[FaceNodes::index(a >> 15, b >> 15, nodeA, nodeB)];
-                sum += static_cast<int>(node >> (8 * channel) & 255) *
-                       (nodeA == 1 ? weightA : 128 - weightA) *
-                       (nodeB == 1 ? weightB : 128 - weightB);
-            }
-        }
-        light[channel] = (sum >> 14) + (sum >> 21);
-    }
-    return light;
-}
-
 // Traces the upright column, or the upside down one.
 class Tracer {
 public:
@@ -219,8 +197,8 @@ private:
     }
 
     // Of a side's texel, or of an object.
-    BakedLight bakedLight(const Span& span, const TracedTexel& texel) const {
-        const BakedLight none = TracedTexel().baked;
+    LightColour bakedLight(const Span& span, const TracedTexel& texel) const {
+        const LightColour none = TracedTexel().baked;
         if (span.vista->lit == nullptr) return none;
         if (span.what == What::object) {
             const auto object = static_cast<std::size_t>(span.object);

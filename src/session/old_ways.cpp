@@ -65,20 +65,15 @@ bool hasMirrorsAboveFloor(const World& world) {
         [](const CellBlueprint& blueprint) { return blueprint.face(Face::top).mirror > 0; });
 }
 
-bool hasJoinedBlocks(const World& world) {
-    return std::any_of(
-        world.blueprints.begin(), world.blueprints.end(),
-        [](const CellBlueprint& blueprint) { return blueprint.seeThrough && blueprint.join; });
-}
-
 bool hasSlopes(const World& world) {
     return std::any_of(world.blueprints.begin(), world.blueprints.end(),
                        [](const CellBlueprint& blueprint) { return blueprint.slopes.any(); });
 }
 
-bool hasBakedLight(const World& world) {
-    return std::any_of(world.maps.begin(), world.maps.end(),
-                       [](const Map& map) { return map.baked.on; });
+bool hasJoinedBlocks(const World& world) {
+    return std::any_of(
+        world.blueprints.begin(), world.blueprints.end(),
+        [](const CellBlueprint& blueprint) { return blueprint.seeThrough && blueprint.join; });
 }
 
 }  // namespace
@@ -91,13 +86,8 @@ std::vector<std::string> leftOut(const World& world, const SessionOptions& optio
     std::vector<std::string> sentences;
     if (options.method == DrawMethod::exact && options.compare == 0.0) return sentences;
     const ClassicOptions& classic = options.classic;
-    if (options.render.detail && options.render.textures)
-        sentences.push_back("Smaller texture images far away: distant textures flicker.");
-    if (world.hasPlans)
-        sentences.push_back("Blocks that fill a part of their tile: they fill all of it.");
-    if (hasSlopes(world)) sentences.push_back("Slopes: their blocks are level boxes.");
-    if (hasBakedLight(world) && options.render.baked)
-        sentences.push_back("Sun, lamps and shadows: light only knows distance.");
+    if (classic.oneLevel && hasSlopes(world))
+        sentences.push_back("Slopes: their blocks are level boxes.");
     if (!world.portals.empty() && hasJoinedBlocks(world)) {
         sentences.push_back("Glass is not joined through a portal: the faces between are drawn.");
     }

@@ -149,7 +149,7 @@ bool Session::draw(const Picture& picture, double fraction, LightWork lightWork)
 
 int Session::drawSome(const Picture& picture, double fraction, int firstColumn,
                       LightWork lightWork) {
-    // What the classic method draws has no baked light
+    // The classic method draws all of it at once; light that is late comes with later pictures
     if (classicColumns(picture.width) > 0)
         return draw(picture, fraction, lightWork) ? picture.width : -1;
     clock_.begin();
@@ -159,6 +159,7 @@ int Session::drawSome(const Picture& picture, double fraction, int firstColumn,
     RenderOptions options = renderOptions(options_, picture.width, picture.height);
     options.lightWork = lightWork;
     const int next = renderer_.drawSome(world_, seen, options, picture, firstColumn);
+    report_ = renderer_.report();
     if (next == picture.width) {
         clock_.endView();
         drawOverlays(seen, picture);
@@ -173,12 +174,21 @@ bool Session::drawView(const Eye& seen, const Picture& picture, LightWork lightW
     // Skips the columns that the classic method draws afterwards.
     RenderOptions options = renderOptions(options_, picture.width, picture.height);
     options.lightWork = lightWork;
-    if (!isAllClassic && !renderer_.draw(world_, seen, options, picture, classic)) return false;
+    FrameReport exact;
+    if (!isAllClassic) {
+        if (!renderer_.draw(world_, seen, options, picture, classic)) return false;
+        exact = renderer_.report();
+        report_ = exact;
+    }
     if (classic > 0) {
-        const std::optional<FrameReport> report =
-            drawClassic(world_, seen, options, options_.classic, picture, classic);
-        if (!report) return false;
-        classicReport_ = *report;
+        options.lightWork -= exact.lightWork;
+        const std::optional<FrameReport> old =
+            drawClassic(world_, seen, options, options_.classic, renderer_.lit(), picture, classic);
+        if (!old) return false;
+        report_ = isAllClassic ? *old : exact;
+        report_.lightWork = exact.lightWork + old->lightWork;
+        report_.lateLight = exact.lateLight + old->lateLight;
+        report_.unlit = exact.unlit + old->unlit;
     }
     clock_.endView();
     drawOverlays(seen, picture);
@@ -429,7 +439,7 @@ void Session::trace(const TraceRequest& request, const std::function<void(SliceT
 SliceTrace Session::traceFrom(const Eye& seen, const ColumnRequest& request) {
     const RenderOptions options = renderOptions(options_, request.width, request.height);
     return request.column < classicColumns(request.width)
-               ? traceClassic(world_, seen, options, options_.classic, request)
+               ? traceClassic(world_, seen, options, options_.classic, renderer_.lit(), request)
                : renderer_.trace(world_, seen, options, request);
 }
 
@@ -438,7 +448,7 @@ FrameReport Session::measure(int width, int height) {
     const Picture picture = {image.pixels.data(), width, height, width};
     const RenderOptions options = renderOptions(options_, width, height);
     if (classicShare() == 1.0) {
-        return drawClassic(world_, eye(), options, options_.classic, picture)
+        return drawClassic(world_, eye(), options, options_.classic, renderer_.lit(), picture)
             .value_or(FrameReport{});
     }
     if (!renderer_.draw(world_, eye(), options, picture)) return {};

@@ -134,10 +134,8 @@ public:
     // The player before the last step; after a leap, as now.
     const Player& beforeStep() const { return previous_; }
     const SessionOptions& options() const { return options_; }
-    // Of the last picture: of the exact method's part, if it has one.
-    const FrameReport& report() const {
-        return classicShare() < 1.0 ? renderer_.report() : classicReport_;
-    }
+    // Of the last picture: of the exact method's part, if it has one, but of all its light.
+    const FrameReport& report() const { return report_; }
     std::int64_t steps() const { return steps_; }
     SessionState state() const;
     // The eye that draw(picture, fraction) uses.
@@ -182,7 +180,7 @@ private:
     std::vector<QuestNews> news_;
     std::optional<Hearing> hearing_;
     SessionRenderer renderer_;
-    FrameReport classicReport_;  // of what the classic method drew in the last picture
+    FrameReport report_;
     SlowDrawing slowDrawing_;
     Minimap minimap_;
     PhaseClock clock_;

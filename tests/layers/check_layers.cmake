@@ -21,8 +21,10 @@ set(may_examples "")
 # them every part shares the plain data, and the library alone has the rest.
 set(plainData "colour|face|fault|half|image|input|option|picture|sound|trace")
 
-# The slow renderer of the old ways shares plain data with the fast one, which knows nothing of it.
-set(classicShares "classic/[a-z_]+|eye|options|shading|trace")
+# The slow renderer of the old ways finds by itself what a pixel shows. It shares plain data with the
+# fast one, which knows nothing of it, and asks that one's parts what colour a point of a face or of
+# the sky has.
+set(classicShares "classic/[a-z_]+|eye|options|shading|trace|projection|detail|light_scene|lit_maps|lit_texels|smooth_texels|sky_layers|ripples")
 
 # The engine draws and simulates the same everywhere: no screen, no clock, no printing, and none of
 # the library functions whose last bit differs.

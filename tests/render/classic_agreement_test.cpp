@@ -48,7 +48,8 @@ FrameReport expectTheRenderersPictures(std::uint64_t seed, MakeWorld&& makeWorld
                          .headingDegrees = random.between(0.0, 360.0),
                          .look = random.oneIn(2) ? 0.0 : random.between(-1.0, 1.0)};
         const RenderOptions options = {.fovDegrees = random.between(30.0, 120.0),
-                                       .detail = false,
+                                       .detail = !random.oneIn(4),
+                                       .smooth = random.oneIn(2),
                                        .textures = !random.oneIn(8),
                                        .fog = !random.oneIn(4),
                                        .mirrors = random.oneIn(2) ? 1.0 : 1.7};

@@ -31,7 +31,8 @@ TEST(Classic, RefusesInvalidViews) {
     Eye nowhere = eye;
     nowhere.map = 1;
     EXPECT_TRUE(drawOld(world, nowhere, 8, 8, {}).image.empty());
-    EXPECT_FALSE(drawClassic(world, eye, {}, {}, {nullptr, 8, 8, 8}));
+    LitMaps lit;
+    EXPECT_FALSE(drawClassic(world, eye, {}, {}, lit, {nullptr, 8, 8, 8}));
 }
 
 // All at once, at the least of steps and the widest of views: nothing is divided by zero, nothing
@@ -132,7 +133,8 @@ TEST(Classic, DividesByNothingNearZero) {
             ASSERT_FALSE(drawOld(world, eye, width, height, classic, options).image.empty());
             const ColumnRequest request = {width, height, random.below(width),
                                            random.below(height)};
-            const SliceTrace trace = traceClassic(world, eye, options, classic, request);
+            LitMaps lit;
+            const SliceTrace trace = traceClassic(world, eye, options, classic, lit, request);
             std::vector<int> times(static_cast<std::size_t>(height));
             for (const FilledRows& run : trace.filled) {
                 for (int row = run.first; row < run.last && !run.layer; ++row)

@@ -23,8 +23,9 @@ struct Drawn {
 inline Drawn drawOld(const World& world, const Eye& eye, int width, int height,
                      const ClassicOptions& classic, const RenderOptions& options = {}) {
     Drawn drawn{Image(width, height), {}};
+    LitMaps lit;
     const std::optional<FrameReport> report = drawClassic(
-        world, eye, options, classic, {drawn.image.pixels.data(), width, height, width});
+        world, eye, options, classic, lit, {drawn.image.pixels.data(), width, height, width});
     if (report) {
         drawn.report = *report;
     } else {

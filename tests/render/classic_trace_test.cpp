@@ -57,13 +57,13 @@ TEST(ClassicTrace, EqualsTheRenderersWithoutSeeThroughBlocks) {
         World world = featureWorld(i);
         for (Map& map : world.maps) map.objects.clear();
         const Eye eye = anyEye(random, world);
-        const RenderOptions options = {.detail = false};
+        const RenderOptions options;
         Renderer renderer;
         for (int column = 3; column < kTraceWidth; column += 12) {
             const SliceTrace exact =
                 renderer.trace(world, eye, options, {kTraceWidth, kTraceHeight, column});
-            const SliceTrace old =
-                traceClassic(world, eye, options, {}, {kTraceWidth, kTraceHeight, column});
+            const SliceTrace old = traceClassic(world, eye, options, {}, renderer.lit(),
+                                                {kTraceWidth, kTraceHeight, column});
             EXPECT_EQ(old.column, column);
             EXPECT_DOUBLE_EQ(old.horizonRow, exact.horizonRow);
             EXPECT_DOUBLE_EQ(old.projectionDistance, exact.projectionDistance);
@@ -126,8 +126,9 @@ TEST(ClassicTrace, EachRowHasOneRunWhateverTheWay) {
                                         .portalsOverdrawn = random.oneIn(3),
                                         .pixelSize = random.oneIn(3) ? 5 : 1};
         const Eye eye = anyEye(random, world);
+        LitMaps lit;
         const SliceTrace trace =
-            traceClassic(world, eye, {}, classic, {kTraceWidth, kTraceHeight, 30});
+            traceClassic(world, eye, {}, classic, lit, {kTraceWidth, kTraceHeight, 30});
         for (const RowSeen& row : rowsOf(trace)) ASSERT_EQ(row.runs, 1) << i;
         int hitRows = 0;
         int filledRows = 0;
@@ -148,12 +149,15 @@ TEST(ClassicTrace, EachRowHasOneRunWhateverTheWay) {
 TEST(ClassicTrace, IsEmptyWithoutAColumn) {
     const World world = mixedWorld(2);
     const Eye eye = eyeAt(5.2, 4.2, 0.5, 0.0);
-    EXPECT_FALSE(traceClassic(world, eye, {}, {}, {kTraceWidth, kTraceHeight, 0}).filled.empty());
-    EXPECT_TRUE(traceClassic(world, eye, {}, {}, {kTraceWidth, kTraceHeight, -1}).filled.empty());
-    EXPECT_TRUE(
-        traceClassic(world, eye, {}, {}, {kTraceWidth, kTraceHeight, kTraceWidth}).filled.empty());
-    EXPECT_TRUE(traceClassic(world, eye, {}, {.pixelSize = 0}, {kTraceWidth, kTraceHeight, 1})
-                    .filled.empty());
+    LitMaps lit;
+    const auto isEmpty = [&](int column, const ClassicOptions& classic = {}) {
+        return traceClassic(world, eye, {}, classic, lit, {kTraceWidth, kTraceHeight, column})
+            .filled.empty();
+    };
+    EXPECT_FALSE(isEmpty(0));
+    EXPECT_TRUE(isEmpty(-1));
+    EXPECT_TRUE(isEmpty(kTraceWidth));
+    EXPECT_TRUE(isEmpty(1, {.pixelSize = 0}));
 }
 
 }  // namespace

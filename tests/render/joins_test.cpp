@@ -16,7 +16,8 @@ constexpr Colour kPane = {0, 0, 0, 128};
 Image drawBy(bool classic, const World& world, const Eye& eye, int size, double fovDegrees) {
     if (!classic) return draw(world, eye, size, size, {.fovDegrees = fovDegrees});
     Image image(size, size);
-    EXPECT_TRUE(drawClassic(world, eye, {.fovDegrees = fovDegrees}, {},
+    LitMaps lit;
+    EXPECT_TRUE(drawClassic(world, eye, {.fovDegrees = fovDegrees}, {}, lit,
                             {image.pixels.data(), size, size, size}));
     return image;
 }

@@ -41,7 +41,8 @@ std::vector<Pixel> blockRows(double offset, std::uint8_t alpha, bool classic) {
     Image image(kSize, kSize);
     if (classic) {
         const Picture picture{image.pixels.data(), kSize, kSize, kSize};
-        EXPECT_TRUE(drawClassic(world, eye, options, {}, picture));
+        LitMaps lit;
+        EXPECT_TRUE(drawClassic(world, eye, options, {}, lit, picture));
     } else {
         image = draw(world, eye, kSize, kSize, options);
     }

@@ -1,7 +1,6 @@
 // Old ways of drawing such a world, for lessons: what each was, and its defect. Every default is
-// the modern way; with all defaults the picture agrees with the fast renderer's, except that it has
-// no levels of detail, which did not exist then. Two more old ways are RenderOptions: no textures,
-// no light.
+// the modern way; with all defaults the picture agrees with the fast renderer's. Three more old
+// ways are RenderOptions: no textures, no levels of detail, no light.
 #pragma once
 
 #include <cstdint>

@@ -1,6 +1,8 @@
 #include "render/classic/column.h"
 
 #include "base/sort.h"
+#include "render/ripples.h"
+#include "world/water.h"
 
 #include <algorithm>
 #include <cmath>
@@ -21,6 +23,12 @@ Pixel layerOf(const Shown& shown) {
     return toPixel(colour);
 }
 
+EyeWater waterAround(const World& world, const Eye& eye) {
+    const WaterAt here = waterAt(world, world.maps[static_cast<std::size_t>(eye.map)], eye.x.tile(),
+                                 eye.y.tile(), eye.z);
+    return {here.water, (here.surface - eye.z).raw};
+}
+
 bool isSame(const Mark& a, const Mark& b) {
     return a.part == b.part && a.surface == b.surface && a.shown.what == b.shown.what;
 }
@@ -35,13 +43,14 @@ bool Column::Place::isBefore(const Place& second) const {
 }
 
 Column::Column(const World& world, const Eye& eye, const RenderOptions& options,
-               const ClassicOptions& classic, int width, int height)
+               const ClassicOptions& classic, LitMaps& lit, int width, int height)
     : world_(world),
-      options_(options),
       classic_(classic),
       map_(eye.map),
       rows_{classic.pixelSize, (height + classic.pixelSize - 1) / classic.pixelSize},
       view_(world, eye, options, classic, width, height),
+      skies_(world, view_, rows_),
+      palette_{world, options, classic, lit, skies_, waterAround(world, eye)},
       marks_(static_cast<std::size_t>(rows_.rows)),
       colours_(marks_.size()) {}
 
@@ -91,7 +100,7 @@ void Column::gather(Part& part) {
                     .begins = part.isMirrored() ? 0.0 : part.start.along * part.ray.depthPerAlong},
                    part.spans, part.blocks, part.surfaces);
     report_.blocksMet += static_cast<std::int64_t>(part.blocks.size());
-    part.colouring.emplace(world_, map, part.view, part.ray, options_, classic_);
+    part.colouring.emplace(palette_, part.map, part.view, part.ray);
     part.overdrawn.clear();
     if (classic_.portalsOverdrawn) findOverdrawn(part);
 }
@@ -165,7 +174,7 @@ Part* Column::meet(Part& part, const Surface& surface, int row) {
     marks.push_back({&part, &surface, part.colouring->ofSurface(surface, y)});
     Shown& shown = marks.back().shown;
     if (part.isMirrored()) shown.mirror = 0;
-    if (shown.mirror > 0) return &mirrored(part, surface.height);
+    if (shown.mirror > 0) return &mirrored(part, surface.plane.height);
     return isOpaque(shown) ? nullptr : &part;
 }
 
@@ -265,21 +274,75 @@ void Column::paintFarToNear(Part& part) {
     }
 }
 
+// Which of a row's marks is a mirror, or -1.
+int Column::mirrorIn(int row) const {
+    const std::vector<Mark>& marks = this->marks(row);
+    for (std::size_t i = 0; i < marks.size(); ++i) {
+        if (marks[i].shown.mirror > 0) return static_cast<int>(i);
+    }
+    return -1;
+}
+
+// The row whose reflection a mirror's row shows: ripples lead to another one, as far as the same
+// mirror goes on.
+int Column::rippledRow(int row) const {
+    const auto markOf = [&](int at) -> const Mark* {
+        const int mirror = at >= 0 && at < rows_.rows ? mirrorIn(at) : -1;
+        return mirror < 0 ? nullptr : &marks(at)[static_cast<std::size_t>(mirror)];
+    };
+    const Mark& mirror = *markOf(row);
+    if (mirror.shown.ripples == 0) return row;
+    const View& view = mirror.part->view;
+    const auto heightOf = [](const Mark& mark) {
+        return mark.surface != nullptr ? mark.surface->plane.height : 0.0;
+    };
+    const double y = rows_.middle(row);
+    const double along = mirror.shown.texel.depth / mirror.part->ray.depthPerAlong;
+    const auto place = [&](double eye, double direction) {
+        return static_cast<int>(std::floor(256.0 * (eye + along * direction)));
+    };
+    const int moved =
+        rippledBy({place(view.eyeX, mirror.part->ray.x), place(view.eyeY, mirror.part->ray.y),
+                   static_cast<int>(world_.steps & 1023), mirror.shown.ripples, y - view.horizon,
+                   (view.eyeZ - heightOf(mirror)) * view.distance},
+                  mostRippleRows(static_cast<int>(view.height)));
+    const int end = static_cast<int>(std::floor((y + moved) / rows_.pixelSize));
+    const int way = end < row ? -1 : 1;
+    const auto isSame = [&](const Mark* other) {
+        return other != nullptr && other->part->map == mirror.part->map &&
+               other->part->view.eyeX == view.eyeX && other->part->view.eyeY == view.eyeY &&
+               other->part->view.eyeZ == view.eyeZ && heightOf(*other) == heightOf(mirror);
+    };
+    while (row != end && isSame(markOf(row + way))) row += way;
+    return row;
+}
+
 // Blends each row from back to front. A flipping floor shows the row equally far above the upper
 // end of its run.
 void Column::colourRows() {
+    // Lays some marks of a row over a colour
+    const auto lay = [&](int row, std::size_t first, std::size_t last, Pixel colour) {
+        while (last-- > first) colour = laidOver(layerOf(marks(row)[last].shown), colour);
+        return colour;
+    };
     int foot = 0;
     for (int row = 0; row < rows_.rows; ++row) {
-        const std::vector<Mark>& marks = marks_[static_cast<std::size_t>(row)];
-        const Shown& last = marks.back().shown;
-        Pixel colour = last.colour;
+        const Shown& last = marks(row).back().shown;
+        const std::size_t behind = marks(row).size() - 1;
+        const auto mirror = static_cast<std::size_t>(mirrorIn(row) + 1);
         if (last.what != FilledRows::What::floor) foot = row + 1;
         const int flipped = 2 * foot - 1 - row;
-        if (classic_.flippedMirrors && last.mirror > 0 && flipped >= 0)
-            colour = laidOver(layerOf(last), colours_[static_cast<std::size_t>(flipped)]);
-        for (std::size_t i = marks.size() - 1; i-- > 0;)
-            colour = laidOver(layerOf(marks[i].shown), colour);
-        colours_[static_cast<std::size_t>(row)] = colour;
+        Pixel& colour = colours_[static_cast<std::size_t>(row)];
+        if (classic_.flippedMirrors && last.mirror > 0 && flipped >= 0) {
+            colour = lay(row, 0, behind + 1, colours_[static_cast<std::size_t>(flipped)]);
+        } else if (mirror > 0 && mirror <= behind) {
+            const int from = rippledRow(row);
+            const std::size_t end = marks(from).size() - 1;
+            const auto begin = static_cast<std::size_t>(mirrorIn(from) + 1);
+            colour = lay(row, 0, mirror, lay(from, begin, end, marks(from).back().shown.colour));
+        } else {
+            colour = lay(row, 0, behind, last.colour);
+        }
     }
 }
 

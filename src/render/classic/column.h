@@ -48,9 +48,9 @@ struct Mark {
 
 class Column {
 public:
-    // All arguments must outlive it.
+    // All arguments must outlive it. The light's frame must have begun.
     Column(const World& world, const Eye& eye, const RenderOptions& options,
-           const ClassicOptions& classic, int width, int height);
+           const ClassicOptions& classic, LitMaps& lit, int width, int height);
 
     // The colours of the rows; x is the middle of the column.
     const std::vector<Pixel>& draw(double x);
@@ -90,15 +90,18 @@ private:
 
     void paintNearest(Part& part);
     void paintFarToNear(Part& part);
+    int mirrorIn(int row) const;
+    int rippledRow(int row) const;
     void colourRows();
     void count();
 
     const World& world_;
-    const RenderOptions& options_;
     const ClassicOptions& classic_;
     const int map_;
     RowGrid rows_;
     View view_;  // of the eye
+    SkyColumns skies_;
+    const Palette palette_;
     FrameReport report_;
     std::vector<std::unique_ptr<Part>> parts_;  // kept from column to column
     std::size_t used_ = 0;

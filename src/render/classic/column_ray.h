@@ -62,9 +62,10 @@ struct View {
     double upwardSlopeAt(double y) const { return up * (horizon - y) / distance; }
     // The row of a height at a depth; infinitely high or low at depth 0.
     double rowOf(double z, double depth) const;
-    // The depth of a horizontal plane in a row on its side of the horizon.
-    double depthOfPlane(double z, double y) const {
-        return (z - eyeZ) * distance / (up * (horizon - y));
+    // The depth of a plane in a row that meets it. It has height z over or under the eye, and
+    // climbs by so much per unit of depth.
+    double depthOfPlane(double z, double y, double climb = 0.0) const {
+        return (z - eyeZ) * distance / (up * (horizon - y) - climb * distance);
     }
 
     // The view behind a portal, in the coordinates of its exit map.

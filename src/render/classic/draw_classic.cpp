@@ -28,32 +28,39 @@ bool areInRange(const ClassicOptions& classic) {
 
 std::optional<FrameReport> drawClassic(const World& world, const Eye& eye,
                                        const RenderOptions& options, const ClassicOptions& classic,
-                                       const Picture& picture, int columns) {
+                                       LitMaps& lit, const Picture& picture, int columns) {
     if (!canSee(world, eye, options) || !areInRange(classic) ||
         !isPictureSize(picture.width, picture.height) || picture.pixels == nullptr ||
         picture.pitch < picture.width)
         return std::nullopt;
     const int size = classic.pixelSize;
     const int end = std::min(columns, picture.width);
-    classic::Column column(world, eye, options, classic, picture.width, picture.height);
+    lit.beginFrame(world, options);
+    classic::Column column(world, eye, options, classic, lit, picture.width, picture.height);
     for (int left = 0; left < end; left += size) {
+        lit.beginStrip();
         const std::vector<Pixel>& colours = column.draw(left + size / 2.0);
         const int right = std::min(left + size, end);
         for (int y = 0; y < picture.height; ++y)
             std::fill(picture.row(y) + left, picture.row(y) + right,
                       colours[static_cast<std::size_t>(y / size)]);
     }
-    return column.report();
+    FrameReport report = column.report();
+    report.lightWork = lit.work();
+    report.lateLight = lit.allowance().late;
+    report.unlit = lit.allowance().unlit;
+    return report;
 }
 
 SliceTrace traceClassic(const World& world, const Eye& eye, const RenderOptions& options,
-                        const ClassicOptions& classic, const ColumnRequest& request) {
+                        const ClassicOptions& classic, LitMaps& lit, const ColumnRequest& request) {
     const auto [width, height, column, watchedRow] = request;
     if (!canSee(world, eye, options) || !areInRange(classic) || !isPictureSize(width, height) ||
         column < 0 || column >= width)
         return {};
     const int size = classic.pixelSize;
-    classic::Column drawn(world, eye, options, classic, width, height);
+    lit.beginFrame(world, options);
+    classic::Column drawn(world, eye, options, classic, lit, width, height);
     const int first = column / size * size;
     drawn.draw(first + size / 2.0);
     SliceTrace trace = classic::traceOf(drawn, world, height, watchedRow);

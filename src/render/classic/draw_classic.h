@@ -1,19 +1,21 @@
-// The slow renderer for lessons: draws a world by the old ways of ClassicOptions. It computes every
-// pixel on its own and shares only plain data with the fast renderer: eye, options, light, picture,
-// trace.
+// The slow renderer for lessons: draws a world by the old ways of ClassicOptions. It finds on its
+// own what every pixel shows. Of the fast renderer it takes the colour of a point: levels of
+// detail, light, the layers of the sky and the height of waves.
 //
 //     column_ray       the direction of a column of the picture
 //     tile_spans       the tiles that it passes: exactly, or by marching
 //     surfaces         the surfaces on those tiles and their rows; objects
 //     colouring        a surface's colour in a row
+//     sky_columns      skies with layers
 //     column           what its rows show, also behind portals and in mirrors
 //
-// It differs from the definition in two points: it has no levels of detail, and does not join
-// see-through blocks that touch through a portal.
+// It differs from the definition where a portal's exit is not free: it does not join see-through
+// blocks that touch through a portal, and leaves out the side of a block in which rays come out.
 #pragma once
 
 #include "render/classic/classic_options.h"
 #include "render/eye.h"
+#include "render/lit_maps.h"
 #include "render/options.h"
 #include "render/trace.h"
 #include "slicecast/picture.h"
@@ -23,6 +25,8 @@
 
 namespace slicecast {
 
+// `lit` has what is known of baked light. It may be a renderer's that draws the same world.
+//
 // Draws the leftmost `columns` columns of the picture, or all of a narrower picture, and returns
 // the work done. Returns nothing and changes nothing where the fast renderer would refuse, or if a
 // classic option is out of range.
@@ -31,12 +35,13 @@ namespace slicecast {
 // rowsFilled includes overpainted rows; a pixel of `pixelSize` counts once.
 std::optional<FrameReport> drawClassic(const World& world, const Eye& eye,
                                        const RenderOptions& options, const ClassicOptions& classic,
-                                       const Picture& picture, int columns = kMaxPictureSide);
+                                       LitMaps& lit, const Picture& picture,
+                                       int columns = kMaxPictureSide);
 
 // Traces one column of such a picture. Empty for an invalid eye or column. For a march, borders of
 // tiles are where it found them. The watched row is traced at the middle of its pixel, however
 // coarse that is.
 SliceTrace traceClassic(const World& world, const Eye& eye, const RenderOptions& options,
-                        const ClassicOptions& classic, const ColumnRequest& request);
+                        const ClassicOptions& classic, LitMaps& lit, const ColumnRequest& request);
 
 }  // namespace slicecast

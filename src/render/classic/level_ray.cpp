@@ -4,6 +4,7 @@
 #include "render/classic/tile_spans.h"
 
 #include <algorithm>
+#include <optional>
 #include <vector>
 
 namespace slicecast {
@@ -34,9 +35,19 @@ ClassicLevelRay castClassic(const World& world, const Eye& eye, const ClassicOpt
             (options.oneLevel || (block.bottom <= aim.height && aim.height < block.top));
         const bool isPortal = map.tilePortal(span.x, span.y) != kNoPortal;
         if (!isPortal && !stands) continue;
+        // A block may fill a part of its tile only, or of its height
+        std::optional<WayPart> over = WayPart{span.enter, span.leave};
+        if (!isPortal && !block.plan.isWhole())
+            over = wayOver(block.plan, span.x, span.y, view.eyeX, view.eyeY, ray.x, ray.y, *over);
+        if (!isPortal && over && block.slopes.any() && !options.oneLevel)
+            over =
+                wayBetween(block.slopes, span.x, span.y, 0.0,
+                           {view.eyeX, view.eyeY, aim.height.value()}, {ray.x, ray.y, 0.0}, *over);
+        if (!over) continue;
+        if (over->from >= along) break;
         end.met = true;
         end.portal = isPortal || block.face(span.entered).portal != kNoPortal;
-        along = span.enter;
+        along = over->from;
         break;
     }
     end.x = along * ray.x;

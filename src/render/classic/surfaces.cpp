@@ -3,20 +3,28 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <optional>
 
 namespace slicecast::classic {
 namespace {
 
 using What = FilledRows::What;
 
-// A block and its texture's extent.
+// A block, the way over it, and its texture's extent.
 struct Block {
     const CellBlueprint* blueprint = nullptr;
     int level = 0;
+    TileSpan span;
     double bottom = 0.0;
     double top = 1.0;
+    Incline bottomPlane = {};
+    Incline topPlane = {};
     double textureTop = 1.0;
     double textureBottom = 0.0;
+
+    // The ends of its sides: a slope goes on in other levels, or above and below them.
+    double bottomAt(double along) const { return std::clamp(bottomPlane.at(along), bottom, top); }
+    double topAt(double along) const { return std::clamp(topPlane.at(along), bottom, top); }
 };
 
 // Collects the surfaces of one column.
@@ -51,8 +59,11 @@ public:
         for (int level = first; level <= last; ++level) {
             const CellBlueprint* blueprint = blueprintAt(span.x, span.y, level);
             if (blueprint == nullptr || (metLevels_ >> level & 1u) != 0) continue;
-            const Block block = blockAt(span, level);
-            blocks_.push_back({index, level, block.bottom, block.top});
+            const std::optional<TileSpan> over = spanOver(blueprint->plan, view_, ray_, span);
+            if (!over) continue;
+            const Block block = blockAt(*over, level);
+            blocks_.push_back(
+                {block.span, level, block.bottom, block.top, block.bottomPlane, block.topPlane});
             addBlock(span, block);
             if (classic_.firstHits && !span.first && !blueprint->seeThrough)
                 metLevels_ |= 1u << level;
@@ -66,13 +77,21 @@ private:
         return id == kEmptyCell ? nullptr : &world_.blueprints[id];
     }
 
+    // `span` is the way over it.
     Block blockAt(const TileSpan& span, int level) const {
         const CellBlueprint* blueprint = blueprintAt(span.x, span.y, level);
-        if (classic_.oneLevel) return {blueprint, level, 0.0, 1.0, 1.0, 0.0};
+        if (classic_.oneLevel) {
+            Block box = {.blueprint = blueprint, .level = level, .span = span};
+            box.topPlane.height = 1.0;
+            return box;
+        }
         Block block = {blueprint,
                        level,
+                       span,
                        level + blueprint->bottom.value(),
                        level + blueprint->top.value(),
+                       inclineOf(span, *blueprint, level, Face::bottom),
+                       inclineOf(span, *blueprint, level, Face::top),
                        level + 1.0,
                        static_cast<double>(level)};
         if (classic_.stretched) {
@@ -93,101 +112,155 @@ private:
         return block;
     }
 
-    void addBlock(const TileSpan& span, const Block& block) {
+    // How a block's top or underside runs along the ray.
+    Incline inclineOf(const TileSpan& tile, const CellBlueprint& blueprint, int level,
+                      Face face) const {
+        const Slopes& slopes = blueprint.slopes;
+        const Slant& slant = slopes.of(face);
+        if (slant.isLevel())
+            return {level + (face == Face::top ? blueprint.top : blueprint.bottom).value(), 0.0};
+        const double eye = slopes.alongX ? view_.eyeX - tile.x : view_.eyeY - tile.y;
+        return {level + slant.valueAt(eye),
+                Coordinate{slant.rise()}.value() * (slopes.alongX ? ray_.x : ray_.y)};
+    }
+
+    void addBlock(const TileSpan& tile, const Block& block) {
+        const TileSpan& span = block.span;
         const double distance = distanceOf(span, (block.bottom + block.top) / 2.0);
         // True if the ray starts inside the block, or may do so behind a portal
         const bool beginsInside =
-            !classic_.oneLevel && (span.enter <= 0.0 ? holdsEye(span, block) : span.first);
+            !classic_.oneLevel && (span.enter <= 0.0 ? holdsEye(tile, block) : span.first);
         const bool hasPlanes = !classic_.oneLevel && classic_.roofs != ClassicRoofs::missing;
-        const bool leavesTop = view_.eyeZ < block.top;  // a ray that meets it rises
-        const bool leavesBottom = view_.eyeZ >= block.bottom;
-        if (beginsInside || block.blueprint->seeThrough) {
-            addSide(span, block, span.left, Passing::left, span.leave, distance);
-            if (hasPlanes && leavesTop)
-                addPlane(span, block, Face::top, Passing::left, block.top, distance);
-            if (hasPlanes && leavesBottom)
-                addPlane(span, block, Face::bottom, Passing::left, block.bottom, distance);
-        }
-        if (hasPlanes && !leavesTop)
-            addPlane(span, block, Face::top, Passing::entered, block.top, distance);
-        if (hasPlanes && !leavesBottom)
-            addPlane(span, block, Face::bottom, Passing::entered, block.bottom, distance);
-        if (!span.first) addSide(span, block, span.entered, Passing::entered, span.enter, distance);
-    }
-
-    // Whether the block and the one above it, or below, are parts of one mover.
-    bool goesOn(const TileSpan& span, const Block& block, bool up) const {
-        const auto reachesEnd = [](const CellBlueprint& blueprint, bool top) {
-            return top ? blueprint.top == tileEdge(1) : blueprint.bottom.raw == 0;
+        // Whether rays meet the plane from below
+        const bool leavesTop = view_.eyeZ < block.topPlane.height;
+        const bool leavesBottom = view_.eyeZ >= block.bottomPlane.height;
+        const auto addPlanes = [&](Passing passing) {
+            const bool isLeft = passing == Passing::left;
+            if (hasPlanes && leavesTop == isLeft)
+                addPlane(tile, block, Face::top, passing, block.topPlane, distance);
+            if (hasPlanes && leavesBottom == isLeft)
+                addPlane(tile, block, Face::bottom, passing, block.bottomPlane, distance);
         };
-        if (classic_.oneLevel || !reachesEnd(*block.blueprint, up)) return false;
-        const CellBlueprint* next = blueprintAt(span.x, span.y, block.level + (up ? 1 : -1));
-        return next != nullptr && areOneMover(*block.blueprint, *next) && reachesEnd(*next, !up);
+        if (beginsInside || block.blueprint->seeThrough) {
+            addSide(tile, block, span.left, Passing::left, span.leave, distance);
+            addPlanes(Passing::left);
+        }
+        addPlanes(Passing::entered);
+        if (!span.first) addSide(tile, block, span.entered, Passing::entered, span.enter, distance);
     }
 
     // Whether the eye is in the block, or in another part of the same mover.
-    bool holdsEye(const TileSpan& span, const Block& block) const {
+    bool holdsEye(const TileSpan& tile, const Block& block) const {
         const auto isIn = [&](const Block& part) {
-            return part.bottom <= view_.eyeZ && view_.eyeZ < part.top;
+            return part.bottomAt(0.0) <= view_.eyeZ && view_.eyeZ < part.topAt(0.0);
         };
+        if (isIn(block)) return true;
         const int level = static_cast<int>(std::floor(view_.eyeZ));
-        const CellBlueprint* own = blueprintAt(span.x, span.y, level);
-        return isIn(block) || (own != nullptr && areOneMover(*own, *block.blueprint) &&
-                               isIn(blockAt(span, level)));
+        const CellBlueprint* own = blueprintAt(tile.x, tile.y, level);
+        if (own == nullptr || !areOneMover(*own, *block.blueprint)) return false;
+        const std::optional<TileSpan> over = spanOver(own->plan, view_, ray_, tile);
+        return over && over->first && isIn(blockAt(*over, level));
     }
 
-    // Whether two see-through blocks touch here, with no faces between them.
-    bool isJoined(const TileSpan& span, const Block& block, Face face) const {
-        const CellBlueprint& blueprint = *block.blueprint;
-        const Axis axis = face == Face::top || face == Face::bottom  ? Axis::z
-                          : face == Face::east || face == Face::west ? Axis::x
-                                                                     : Axis::y;
-        const auto joins = [&](const CellBlueprint* neighbour) {
-            return neighbour != nullptr &&
-                   (areJoined(world_, blueprint, *neighbour) ||
-                    areOneAlong(world_, blueprint, *neighbour, axis)) &&
-                   neighbour->bottom == blueprint.bottom && neighbour->top == blueprint.top;
-        };
-        if (axis == Axis::z) {
-            const bool spansLevel = blueprint.bottom.raw == 0 && blueprint.top == tileEdge(1);
-            return goesOn(span, block, face == Face::top) ||
-                   (spansLevel &&
-                    joins(blueprintAt(span.x, span.y, block.level + (face == Face::top ? 1 : -1))));
-        }
-        if (!blueprint.seeThrough) return false;
-        const int x = span.x + (face == Face::east ? 1 : face == Face::west ? -1 : 0);
-        const int y = span.y + (face == Face::south ? 1 : face == Face::north ? -1 : 0);
-        return joins(blueprintAt(x, y, block.level));
+    // Whether there are no faces between a block and the one above it, or below: of see-through
+    // ones of one kind, or parts of one mover.
+    bool joinsLevel(const Block& block, bool up) const {
+        const CellBlueprint& own = *block.blueprint;
+        const CellBlueprint* next =
+            blueprintAt(block.span.x, block.span.y, block.level + (up ? 1 : -1));
+        if (classic_.oneLevel || next == nullptr || !(up ? own.fillsUp() : own.fillsDown()) ||
+            !spanOver(next->plan, view_, ray_, block.span))
+            return false;
+        return (areOneMover(own, *next) && (up ? next->goesDown() : next->goesUp())) ||
+               (areJoined(world_, own, *next) && (up ? next->fillsDown() : next->fillsUp()));
     }
 
-    void addSide(const TileSpan& span, const Block& block, Face face, Passing passing, double along,
+    // The block beyond a side that has no faces there: both are see-through and of one kind.
+    std::optional<Block> joinedAt(const Block& block, Face face, double along) const {
+        if (!block.blueprint->seeThrough) return std::nullopt;
+        const bool alongX = face == Face::east || face == Face::west;
+        const bool isAhead = along == block.span.leave;
+        TileSpan beyond = block.span;
+        if (alongX) beyond.x += face == Face::east ? 1 : -1;
+        if (!alongX) beyond.y += face == Face::south ? 1 : -1;
+        const CellBlueprint* next = blueprintAt(beyond.x, beyond.y, block.level);
+        if (next == nullptr ||
+            !(areJoined(world_, *block.blueprint, *next) ||
+              areOneAlong(world_, *block.blueprint, *next, alongX ? Axis::x : Axis::y)))
+            return std::nullopt;
+        // Both must reach the border where the ray crosses it
+        const double infinity = std::numeric_limits<double>::infinity();
+        beyond.enter = isAhead ? along : -infinity;
+        beyond.leave = isAhead ? infinity : along;
+        const std::optional<TileSpan> over = spanOver(next->plan, view_, ray_, beyond);
+        const bool touches = over && (isAhead ? over->enter : over->leave) == along;
+        return touches && isAtBorder(block.blueprint->plan, face)
+                   ? std::optional(blockAt(*over, block.level))
+                   : std::nullopt;
+    }
+
+    static bool isAtBorder(const Plan& plan, Face side) {
+        if (plan.half != Half::none) return hasSide(plan.half, side);
+        return side == Face::west    ? plan.west.raw == 0
+               : side == Face::east  ? plan.east == tileEdge(1)
+               : side == Face::north ? plan.north.raw == 0
+                                     : plan.south == tileEdge(1);
+    }
+
+    void addSide(const TileSpan& tile, const Block& block, Face face, Passing passing, double along,
                  double distance) {
         Surface side;
-        if (!makeFace(span, block, face, passing, distance, side)) return;
+        if (!makeFace(tile, block, face, passing, distance, side)) return;
         // A face at the eye is not drawn, but the eye goes through a portal there
         if (along <= 0.0 && side.portal == kNoPortal) return;
         side.what = What::side;
         side.along = along;
         side.textureTop = block.textureTop;
         side.textureBottom = block.textureBottom;
-        if (!classic_.stretched && !classic_.oneLevel)
-            side.textureRise = block.blueprint->textureRise.value();
+        side.slideU = face == Face::north || face == Face::south ? block.blueprint->textureEast
+                                                                 : block.blueprint->textureSouth;
+        if (!classic_.stretched && !classic_.oneLevel) side.slideV = block.blueprint->textureRise;
         const double depth = along * ray_.depthPerAlong;
-        add(side, view_.rowOf(block.top, depth), view_.rowOf(block.bottom, depth));
+        const auto addBetween = [&](double top, double bottom) {
+            if (top > bottom) add(side, view_.rowOf(top, depth), view_.rowOf(bottom, depth));
+        };
+        const double top = block.topAt(along);
+        const double bottom = block.bottomAt(along);
+        const std::optional<Block> joined = joinedAt(block, face, along);
+        if (!joined) return addBetween(top, bottom);
+        addBetween(top, std::max(bottom, joined->topAt(along)));
+        addBetween(std::min(top, joined->bottomAt(along)), bottom);
     }
 
-    void addPlane(const TileSpan& span, const Block& block, Face face, Passing passing,
-                  double height, double distance) {
+    void addPlane(const TileSpan& tile, const Block& block, Face face, Passing passing,
+                  const Incline& incline, double distance) {
         Surface plane;
-        if (!makeFace(span, block, face, passing, distance, plane)) return;
+        if (joinsLevel(block, face == Face::top) ||
+            !makeFace(tile, block, face, passing, distance, plane))
+            return;
         plane.what = face == Face::top ? What::roof : What::underside;
-        addLevel(span, plane, height);
+        plane.slideU = block.blueprint->textureEast;
+        plane.slideV = block.blueprint->textureSouth;
+        // A slope only as far as this cell holds it
+        double enter = block.span.enter;
+        double leave = block.span.leave;
+        if (incline.climb != 0.0) {
+            const double a = (block.bottom - incline.height) / incline.climb;
+            const double b = (block.top - incline.height) / incline.climb;
+            enter = std::max(enter, std::min(a, b));
+            leave = std::min(leave, std::max(a, b));
+        } else if (incline.height < block.bottom || incline.height > block.top) {
+            return;
+        }
+        if (enter < leave) addIncline(plane, incline, enter, leave);
     }
 
-    void addLevel(const TileSpan& span, Surface plane, double height) {
-        plane.height = height;
-        add(plane, view_.rowOf(height, span.enter * ray_.depthPerAlong),
-            view_.rowOf(height, span.leave * ray_.depthPerAlong));
+    void addIncline(Surface& plane, const Incline& incline, double enter, double leave) {
+        plane.plane = incline;
+        const auto rowAt = [&](double along) {
+            return view_.rowOf(incline.at(along), along * ray_.depthPerAlong);
+        };
+        add(plane, rowAt(enter), rowAt(leave));
     }
 
     void addCeiling(const TileSpan& span) {
@@ -199,7 +272,9 @@ private:
         Surface ceiling = surfaceAt(span, {texture, map_.ceiling.light, map_.ceiling.glow},
                                     Face::bottom, Passing::ceiling, distanceOf(span, height));
         ceiling.what = What::ceiling;
-        addLevel(span, ceiling, height);
+        ceiling.lit = {span.x, span.y, 0,
+                       height < view_.eyeZ ? LitFace::ceilingAbove : LitFace::ceilingBelow};
+        addIncline(ceiling, {height, 0.0}, span.enter, span.leave);
     }
 
     // Covers all heights above the floor. Beyond the limit of portals it shows haze.
@@ -213,18 +288,19 @@ private:
             view_.rowOf(0.0, depth));
     }
 
-    // False if the face is not drawn: missing in water, between joined blocks, or a portal seen
-    // from inside.
-    bool makeFace(const TileSpan& span, const Block& block, Face face, Passing passing,
+    // False if the face is not drawn: missing in water, or a portal seen from inside.
+    bool makeFace(const TileSpan& tile, const Block& block, Face face, Passing passing,
                   double distance, Surface& surface) const {
         const FaceBlueprint& look = block.blueprint->face(face);
-        if (look.texture == kNoTexture || isJoined(span, block, face)) return false;
+        if (look.texture == kNoTexture) return false;
         if (passing == Passing::left && look.portal != kNoPortal) return false;
-        surface = surfaceAt(span, look, face, passing, distance);
+        surface = surfaceAt(tile, look, face, passing, distance);
+        surface.lit = {tile.x, tile.y, block.level, static_cast<LitFace>(face)};
         surface.block = static_cast<int>(blocks_.size()) - 1;
         if (passing == Passing::left) return true;
         if (!isBeyondLimit_) surface.portal = look.portal;
         surface.mirror = look.mirror;
+        surface.ripples = look.ripples;
         return true;
     }
 
@@ -250,28 +326,32 @@ private:
         return x * x + y * y + z * z;
     }
 
-    // Whether the ray of a row meets a horizontal plane ahead: not at the horizon, nor beyond it.
-    bool meetsPlane(double height, int row) const {
-        return (height - view_.eyeZ) * view_.upwardSlopeAt(rows_.middle(row)) > 0.0;
+    // Whether the ray of a row meets a plane ahead: not at the horizon, nor beyond it.
+    bool meetsPlane(const Surface& plane, int row) const {
+        const double depth = plane.depthAt(view_, ray_, rows_.middle(row));
+        return depth > 0.0 && depth < std::numeric_limits<double>::infinity();
     }
 
     // Adds the rows between two edges in the picture, in either order.
-    void add(Surface& surface, double a, double b) {
-        surface.firstRow = rows_.firstBelow(std::min(a, b));
-        surface.lastRow = rows_.firstBelow(std::max(a, b));
-        if (surface.firstRow >= surface.lastRow) return;
+    void add(const Surface& look, double a, double b) {
+        const int first = rows_.firstBelow(std::min(a, b));
+        const int last = rows_.firstBelow(std::max(a, b));
+        if (first >= last) return;
+        Surface& surface = surfaces_.emplace_back(look);
+        surface.firstRow = first;
+        surface.lastRow = last;
         if (classic_.seams && surface.block >= 0) {
             if (surface.isUpright()) {
                 ++surface.firstRow;
                 surface.lastRow = std::min(surface.lastRow, rows_.rows - 1);
             } else {
-                if (surface.lastRow < rows_.rows && meetsPlane(surface.height, surface.lastRow))
+                if (surface.lastRow < rows_.rows && meetsPlane(surface, surface.lastRow))
                     ++surface.lastRow;
                 surface.nearest = 0.0;
             }
         }
         // A side of one row is all seam
-        if (surface.firstRow < surface.lastRow) surfaces_.push_back(surface);
+        if (surface.firstRow >= surface.lastRow) surfaces_.pop_back();
     }
 
     const World& world_;

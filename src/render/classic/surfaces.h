@@ -6,6 +6,7 @@
 #include "render/classic/classic_options.h"
 #include "render/classic/column_ray.h"
 #include "render/classic/tile_spans.h"
+#include "render/light_scene.h"
 #include "render/trace.h"
 #include "world/world.h"
 
@@ -27,30 +28,41 @@ struct RowGrid {
 // What a ray does at a surface. At equal depth the earlier ones come first.
 enum class Passing : std::uint8_t { left, portal, entered, ceiling, object };
 
-// An upright thing at one depth, or a horizontal plane: a roof, an underside, a ceiling.
+// A height that may change along the ray.
+struct Incline {
+    double height = 0.0;  // over or under the eye, units
+    double climb = 0.0;   // per multiple of the ray's direction
+
+    double at(double along) const { return climb == 0.0 ? height : height + climb * along; }
+};
+
+// An upright thing at one depth, or a plane: a roof, an underside, a ceiling.
 struct Surface {
     FilledRows::What what = FilledRows::What::side;
     TextureId texture = kNoTexture;  // or the sprite's number; none shows haze
     double light = 1.0;
     bool glow = false;
     std::uint8_t mirror = 0;
-    Face face = Face::top;  // top and bottom are horizontal planes; a ceiling is a bottom
+    std::uint8_t ripples = 0;
+    Face face = Face::top;  // top and bottom are planes; a ceiling is a bottom
     Passing passing = Passing::entered;
     PortalId portal = kNoPortal;  // the portal behind which rays continue
     int tileX = 0;
     int tileY = 0;
+    LitFaceAt lit;     // where its baked light falls, but on objects
     int block = -1;    // index into the blocks met
     int object = -1;   // index into Map::objects
     int firstRow = 0;  // it covers [firstRow, lastRow), at least one row
     int lastRow = 0;
     double along = 0.0;       // of upright things: position on the ray
     double nearest = 0.0;     // least depth of any of its points
-    double height = 0.0;      // of horizontal planes, units
+    Incline plane;            // of planes
     double textureTop = 0.0;  // of upright things: heights of the texture's ends
     double textureBottom = 0.0;
-    double textureRise = 0.0;  // see CellBlueprint
-    double stretch = 1.0;      // of objects: factor from the row's slope to units of height
-    double u = 0.0;            // of objects: from the left of the sprite, 0 to 1
+    Coordinate slideU;     // how far its texture has moved along the face: east or south,
+    Coordinate slideV;     // and south, or on sides up
+    double stretch = 1.0;  // of objects: factor from the row's slope to units of height
+    double u = 0.0;        // of objects: from the left of the sprite, 0 to 1
     ObjectSide side = ObjectSide::front;  // of objects: turned to the eye
     double thingDistance = 0.0;  // squared, from the eye to the middle of the block, ceiling tile
                                  // or object; sorts painter's order
@@ -59,16 +71,20 @@ struct Surface {
         return what == FilledRows::What::side || what == FilledRows::What::object;
     }
     double depthAt(const View& view, const ColumnRay& ray, double y) const {
-        return isUpright() ? along * ray.depthPerAlong : view.depthOfPlane(height, y);
+        return isUpright() ? along * ray.depthPerAlong
+                           : view.depthOfPlane(plane.height, y, plane.climb / ray.depthPerAlong);
     }
 };
 
-// A block on the way, with the method's heights.
+// A block on the way, with the method's heights, which are above the map's floor, or above the one
+// level.
 struct BlockMet {
-    int span = 0;  // index into the tiles
+    TileSpan span;  // of the way over it
     int level = 0;
-    double bottom = 0.0;  // heights above the map's floor, or above the one level
+    double bottom = 0.0;  // its lowest point and its highest
     double top = 1.0;
+    Incline bottomPlane = {};
+    Incline topPlane = {};
 };
 
 // One column's view of a map.

@@ -37,7 +37,63 @@ Face nearestSide(double fromMiddleX, double fromMiddleY) {
     return fromMiddleY < 0.0 ? Face::north : Face::south;
 }
 
+// Cuts off what of a span lies before an edge, or behind it.
+void enterAt(TileSpan& span, double along, Face face) {
+    if (along <= span.enter) return;
+    span.enter = along;
+    span.entered = face;
+    span.first = false;
+}
+void leaveAt(TileSpan& span, double along, Face face) {
+    if (along >= span.leave) return;
+    span.leave = along;
+    span.left = face;
+}
+
+// An axis of a plan: what lies between `low` and `high` of the tile.
+struct PlanAxis {
+    Coordinate low;
+    Coordinate high;
+    Face lowFace = Face::west;
+    Face highFace = Face::east;
+};
+
+// Cuts a span at the edges within its tile. False if the line passes beside the plan.
+bool cutAt(const PlanAxis& axis, double from, double direction, TileSpan& span) {
+    if (direction == 0.0) return axis.low.value() <= from && from < axis.high.value();
+    const auto cut = [&](Coordinate edge, Face face, bool entering) {
+        const double along = (edge.value() - from) / direction;
+        entering ? enterAt(span, along, face) : leaveAt(span, along, face);
+    };
+    if (axis.low.raw > 0) cut(axis.low, axis.lowFace, direction > 0.0);
+    if (axis.high < tileEdge(1)) cut(axis.high, axis.highFace, direction < 0.0);
+    return true;
+}
+
 }  // namespace
+
+std::optional<TileSpan> spanOver(const Plan& plan, const View& view, const ColumnRay& ray,
+                                 const TileSpan& tile) {
+    if (plan.isWhole()) return tile;
+    TileSpan span = tile;
+    const double x = view.eyeX - tile.x;
+    const double y = view.eyeY - tile.y;
+    if (!cutAt({plan.west, plan.east, Face::west, Face::east}, x, ray.x, span) ||
+        !cutAt({plan.north, plan.south, Face::north, Face::south}, y, ray.y, span))
+        return std::nullopt;
+    if (plan.half != Half::none) {
+        // How far the eye is on the half's side of the cut, and how fast the line goes there
+        const bool isFalling = isCutFalling(plan.half);
+        const double sign = isEastern(plan.half) ? 1.0 : -1.0;
+        const double inside = sign * (isFalling ? x - y : x + y - 1.0);
+        const double inwards = sign * (isFalling ? ray.x - ray.y : ray.x + ray.y);
+        if (inwards == 0.0 && inside <= 0.0) return std::nullopt;
+        if (inwards > 0.0) enterAt(span, -inside / inwards, cutFace(plan.half));
+        if (inwards < 0.0) leaveAt(span, -inside / inwards, cutFace(plan.half));
+    }
+    if (span.enter >= span.leave) return std::nullopt;
+    return span;
+}
 
 std::int64_t walkTiles(const Map& map, const View& view, const ColumnRay& ray,
                        const TileStart& start, std::vector<TileSpan>& spans) {

@@ -11,8 +11,10 @@
 #include "render/classic/classic_options.h"
 #include "render/classic/column_ray.h"
 #include "world/map.h"
+#include "world/plan.h"
 
 #include <cstdint>
+#include <optional>
 #include <vector>
 
 namespace slicecast::classic {
@@ -26,6 +28,11 @@ struct TileSpan {
     Face entered = Face::north;  // face of this tile by which the line entered
     Face left = Face::north;     // and by which it leaves
 };
+
+// The part of the way over a tile that lies over a block's plan, whose edges count as borders.
+// Nothing if the line passes beside it.
+std::optional<TileSpan> spanOver(const Plan& plan, const View& view, const ColumnRay& ray,
+                                 const TileSpan& tile);
 
 // The start of a walk: in the eye's tile, or in the exit tile of a portal.
 struct TileStart {

@@ -83,7 +83,7 @@ private:
     void addHits(const Part& part, SliceTrace& trace) const {
         const Map& map = world_.maps[static_cast<std::size_t>(part.map)];
         for (const BlockMet& block : part.blocks) {
-            const TileSpan& span = part.spans[static_cast<std::size_t>(block.span)];
+            const TileSpan& span = block.span;
             Hit hit;
             hit.map = part.map;
             hit.portals = part.portals;
@@ -100,10 +100,12 @@ private:
             hit.rawDepth = span.enter * part.ray.length;
             hit.bottom = toCoordinate(block.bottom + part.view.storey);
             hit.top = toCoordinate(block.top + part.view.storey);
-            hit.topFrontRow = part.view.rowOf(block.top, hit.depth);
-            hit.bottomFrontRow = part.view.rowOf(block.bottom, hit.depth);
-            hit.topBackRow = part.view.rowOf(block.top, hit.backDepth);
-            hit.bottomBackRow = part.view.rowOf(block.bottom, hit.backDepth);
+            hit.bottomSlope = block.bottomPlane.climb / part.ray.depthPerAlong;
+            hit.topSlope = block.topPlane.climb / part.ray.depthPerAlong;
+            hit.topFrontRow = part.view.rowOf(block.topPlane.at(span.enter), hit.depth);
+            hit.bottomFrontRow = part.view.rowOf(block.bottomPlane.at(span.enter), hit.depth);
+            hit.topBackRow = part.view.rowOf(block.topPlane.at(span.leave), hit.backDepth);
+            hit.bottomBackRow = part.view.rowOf(block.bottomPlane.at(span.leave), hit.backDepth);
             trace.hits.push_back(hit);
         }
     }
@@ -202,7 +204,7 @@ private:
     void addMirror(const Mark& mark, int first, int last) {
         std::vector<MirroredRows>& mirrors = of(*mark.part).trace.mirrors;
         const Coordinate height =
-            toCoordinate(mark.surface != nullptr ? mark.surface->height : 0.0);
+            toCoordinate(mark.surface != nullptr ? mark.surface->plane.height : 0.0);
         if (!mirrors.empty() && mirrors.back().last == first &&
             mirrors.back().map == mark.part->map && mirrors.back().height == height &&
             mirrors.back().strength == mark.shown.mirror) {
