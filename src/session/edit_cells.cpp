@@ -132,6 +132,28 @@ void CellEdits::undo(World& world) {
     edits_.clear();
 }
 
+std::vector<EditedCell> CellEdits::list(const World& world) const {
+    std::vector<EditedCell> cells;
+    cells.reserve(edits_.size());
+    for (const Edit& edit : edits_)
+        cells.push_back({edit.at, world.maps[static_cast<std::size_t>(edit.map)].cells[edit.cell]});
+    return cells;
+}
+
+// Nothing changes where nothing differs: what is known of the maps' light stays known.
+void CellEdits::restore(World& world, std::span<const EditedCell> cells) {
+    const std::vector<EditedCell> present = list(world);
+    if (std::equal(cells.begin(), cells.end(), present.begin(), present.end())) return;
+    undo(world);
+    for (const EditedCell& cell : cells) {
+        const CellAt& at = cell.at;
+        Map& map = world.maps[static_cast<std::size_t>(at.map)];
+        const std::size_t index = map.cellIndex(at.x, at.y, at.level);
+        edits_.push_back({at.map, index, at, map.cells[index]});
+        map.setCell(at.x, at.y, at.level, cell.now);
+    }
+}
+
 void CellEdits::addTo(Hash& hash, const World& world) const {
     for (const Edit& edit : edits_) {
         hash.add(std::int64_t{edit.map});

@@ -12,6 +12,7 @@
 #include "world/world.h"
 
 #include <cstddef>
+#include <span>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -25,6 +26,15 @@ struct CellAt {
     int level = 0;
     int x = 0;
     int y = 0;
+
+    friend bool operator==(const CellAt&, const CellAt&) = default;
+};
+
+struct EditedCell {
+    CellAt at;
+    BlueprintId now = kEmptyCell;
+
+    friend bool operator==(const EditedCell&, const EditedCell&) = default;
 };
 
 // Map, level and row must exist. UTF-8.
@@ -40,6 +50,10 @@ public:
     // blocks that move, gates, and blocks with portals, both in the cell and as its new content.
     std::string set(World& world, const CellAt& at, std::string_view sign);
     void undo(World& world);
+
+    // The cells that differ from the scene's, with their blocks, and the same again.
+    std::vector<EditedCell> list(const World& world) const;
+    void restore(World& world, std::span<const EditedCell> cells);
 
     // Hashes which cells differ from the scene's, and how.
     void addTo(Hash& hash, const World& world) const;

@@ -136,12 +136,16 @@ Recording Recorder::finish(const Session& session) const {
 bool Replay::step(Session& session) {
     // Entries before the step
     if (isOver()) return false;
+    keepMoment(session);
     passMarks(session);
     while (!isOver() && !std::holds_alternative<RecordedSteps>(recording_.entries[next_])) {
         std::visit(Performer{session}, recording_.entries[next_++]);
         passMarks(session);
     }
-    if (isOver()) return false;
+    if (isOver()) {
+        leave();  // what came after the last step is no part of a moment
+        return false;
+    }
 
     // The step
     const auto& steps = std::get<RecordedSteps>(recording_.entries[next_]);
@@ -153,6 +157,63 @@ bool Replay::step(Session& session) {
     }
     if (doneOfEntry_ == 0) passMarks(session);
     return true;
+}
+
+bool Replay::seek(Session& session, std::int64_t step, int mostSteps) {
+    const std::int64_t target = std::clamp<std::int64_t>(step, 0, recording_.steps);
+    if (!isLeft_) keepMoment(session);
+    // The nearest moment before, unless the session is nearer
+    const auto later = std::upper_bound(
+        moments_.begin(), moments_.end(), target,
+        [](std::int64_t wanted, const Moment& moment) { return wanted < moment.stepsDone; });
+    const Moment& nearest = *(later - 1);
+    if (isLeft_ || target < stepsDone_ || nearest.stepsDone > stepsDone_) restore(session, nearest);
+    // The rest of the way
+    for (int i = 0; stepsDone_ < target && i < mostSteps; ++i) {
+        if (!this->step(session)) return true;
+    }
+    return stepsDone_ == target;
+}
+
+void Replay::keepMoment(const Session& session) {
+    if (stepsDone_ % stepsOfMoment_ != 0) return;
+    if (!moments_.empty() && moments_.back().stepsDone >= stepsDone_) return;
+    Moment moment = {.stepsDone = stepsDone_,
+                     .next = next_,
+                     .doneOfEntry = doneOfEntry_,
+                     .marks = marks_.size(),
+                     .isSame = isSame_,
+                     .session = session.moment()};
+    if (!moments_.empty()) {
+        moment.bytes = moment.session.bytes();
+        while (moments_.size() > 1 &&
+               (moments_.size() == kMostMoments || momentBytes_ + moment.bytes > kMostMomentBytes))
+            dropMoments();
+        if (momentBytes_ + moment.bytes > kMostMomentBytes || stepsDone_ % stepsOfMoment_ != 0)
+            return;
+    }
+    momentBytes_ += moment.bytes;
+    moments_.push_back(std::move(moment));
+}
+
+// Every other one.
+void Replay::dropMoments() {
+    stepsOfMoment_ *= 2;
+    std::erase_if(moments_, [&](const Moment& moment) {
+        const bool isDropped = moment.stepsDone % stepsOfMoment_ != 0;
+        if (isDropped) momentBytes_ -= moment.bytes;
+        return isDropped;
+    });
+}
+
+void Replay::restore(Session& session, const Moment& moment) {
+    session.restore(moment.session);
+    next_ = moment.next;
+    doneOfEntry_ = moment.doneOfEntry;
+    stepsDone_ = moment.stepsDone;
+    marks_.resize(moment.marks);
+    isSame_ = moment.isSame;
+    isLeft_ = false;
 }
 
 void Replay::passMarks(const Session& session) {

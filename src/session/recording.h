@@ -7,11 +7,13 @@
 //
 //     Replay replay(recording);
 //     while (replay.step(sessionOfTheSameScene)) ...
+//     while (!replay.seek(session, 1200, 100)) ...       to any step, 100 at a time
 //
 // Inputs are stored as whole numbers of small units, and the session acts on the stored values. So
 // replaying them rounds nothing differently.
 #pragma once
 
+#include "session/session_moment.h"
 #include "slicecast/input.h"
 
 #include <cstddef>
@@ -137,6 +139,13 @@ struct PassedMark {
     bool isSame = false;
 };
 
+// A replay keeps moments of the session, so that seek() plays few steps: at first one for so many
+// steps; when there are too many, or they take too much memory, every other one is dropped, and
+// from then on it keeps half as many.
+inline constexpr std::int64_t kStepsOfMoment = 240;
+inline constexpr std::size_t kMostMoments = 256;
+inline constexpr std::size_t kMostMomentBytes = 16u << 20;  // of all but the first
+
 class Replay {
 public:
     explicit Replay(Recording recording) : recording_(std::move(recording)) {}
@@ -144,6 +153,14 @@ public:
     // Plays the next step. False after the last one; then nothing is stepped.
     bool step(Session& session);
 
+    // Goes to the moment after so many steps, clamped to those of the recording. The session is
+    // then what it was, or will be, when all steps were played one after another. Plays at most so
+    // many of them, and returns whether it is there; if not, call it again.
+    bool seek(Session& session, std::int64_t step, int mostSteps);
+    // Somebody else steps the session from now on; seek() takes it back.
+    void leave() { isLeft_ = true; }
+
+    std::size_t moments() const { return moments_.size(); }
     const Recording& recording() const { return recording_; }
     std::int64_t stepsDone() const { return stepsDone_; }
     bool isOver() const { return next_ >= recording_.entries.size(); }
@@ -152,7 +169,21 @@ public:
     bool isSame() const { return isSame_; }
 
 private:
+    // The replay and the session after so many steps.
+    struct Moment {
+        std::int64_t stepsDone = 0;
+        std::size_t next = 0;
+        std::int64_t doneOfEntry = 0;
+        std::size_t marks = 0;
+        bool isSame = true;
+        SessionMoment session;
+        std::size_t bytes = 0;
+    };
+
     void passMarks(const Session& session);
+    void keepMoment(const Session& session);
+    void dropMoments();
+    void restore(Session& session, const Moment& moment);
 
     Recording recording_;
     std::size_t next_ = 0;          // entry
@@ -160,6 +191,10 @@ private:
     std::int64_t stepsDone_ = 0;
     std::vector<PassedMark> marks_;
     bool isSame_ = true;
+    bool isLeft_ = false;
+    std::vector<Moment> moments_;  // by stepsDone; the first one is of the start
+    std::int64_t stepsOfMoment_ = kStepsOfMoment;
+    std::size_t momentBytes_ = 0;
 };
 
 }  // namespace slicecast

@@ -262,6 +262,32 @@ void Session::reset() {
     previous_ = player_;
 }
 
+SessionMoment Session::moment() const {
+    return {.world = momentOf(world_),
+            .edits = edits_.list(world_),
+            .player = player_,
+            .previous = previous_,
+            .heldBefore = heldBefore_,
+            .speed = options_.speed,
+            .bob = options_.bob,
+            .steps = steps_,
+            .beganAt = beganAt_};
+}
+
+void Session::restore(const SessionMoment& moment) {
+    edits_.restore(world_, moment.edits);
+    slicecast::restore(world_, moment.world);
+    news_.clear();
+    if (hearing_) hearing_.emplace();
+    player_ = moment.player;
+    previous_ = moment.previous;
+    heldBefore_ = moment.heldBefore;
+    options_.speed = moment.speed;
+    options_.bob = moment.bob;
+    steps_ = moment.steps;
+    beganAt_ = moment.beganAt;
+}
+
 World Session::takeWorld() {
     lights_.apply({}, world_.maps);
     edits_.undo(world_);

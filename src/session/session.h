@@ -19,6 +19,7 @@
 #include "session/options.h"
 #include "session/phase_clock.h"
 #include "session/recording.h"
+#include "session/session_moment.h"
 #include "slicecast/input.h"
 #include "slicecast/picture.h"
 #include "world/body.h"
@@ -108,6 +109,12 @@ public:
     // message. The eye stays where it is: a player inside the new block flies until out of it, as
     // after setEye.
     std::string setCell(const CellAt& at, std::string_view sign);
+
+    // The game as it is between two steps, and the same again: later steps and pictures are those
+    // that followed it. A moment is of this session, or of another one of the same scene. Restoring
+    // forgets news and sounds that nobody has taken, and must not be done while recording.
+    SessionMoment moment() const;
+    void restore(const SessionMoment& moment);
 
     // Records everything that affects the player, until null is given. Start with the session, or
     // the recording is useless.

@@ -215,6 +215,31 @@ void resetGates(World& world) {
     }
 }
 
+std::vector<GateMoment> momentOfGates(const World& world) {
+    std::vector<GateMoment> moments;
+    moments.reserve(world.gates.size());
+    for (const Gate& gate : world.gates)
+        moments.push_back({gate.progress, gate.previousProgress, gate.wantsOpen, gate.isNear,
+                           gate.awaySteps, gate.waitSteps, gate.isLed});
+    return moments;
+}
+
+void restoreGates(World& world, std::span<const GateMoment> moments) {
+    for (std::size_t i = 0; i < moments.size(); ++i) {
+        const GateMoment& moment = moments[i];
+        Gate& gate = world.gates[i];
+        const GateKind& kind = kindOf(world, gate);
+        setProgress(world, gate, kind, moment.progress);
+        gate.previousProgress = moment.previousProgress;
+        gate.wantsOpen = moment.wantsOpen;
+        gate.isNear = moment.isNear;
+        gate.awaySteps = moment.awaySteps;
+        gate.waitSteps = moment.waitSteps;
+        gate.isLed = moment.isLed;
+        show(world, gate, kind);
+    }
+}
+
 GateState stateOf(const Gate& gate, const GateKind& kind) {
     if (gate.progress == kind.steps) return GateState::open;
     if (gate.wantsOpen) return GateState::opening;

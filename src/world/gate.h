@@ -126,6 +126,20 @@ void stepGates(World& world, std::span<Body> bodies, const GateAsk& ask);
 // Restores the initial states.
 void resetGates(World& world);
 
+// What a moment keeps of a gate, see world_moment.h.
+struct GateMoment {
+    int progress = 0;
+    int previousProgress = 0;
+    bool wantsOpen = false;
+    bool isNear = false;
+    int awaySteps = 0;
+    int waitSteps = 0;
+    bool isLed = false;
+};
+std::vector<GateMoment> momentOfGates(const World& world);
+// Not what the gates move: that is restored with the movers.
+void restoreGates(World& world, std::span<const GateMoment> moments);
+
 GateState stateOf(const Gate& gate, const GateKind& kind);
 
 }  // namespace slicecast

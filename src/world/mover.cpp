@@ -408,6 +408,27 @@ void resetMovers(World& world) {
     }
 }
 
+std::vector<MoverMoment> momentOfMovers(const World& world) {
+    std::vector<MoverMoment> moments;
+    moments.reserve(world.movers.size());
+    for (const Mover& mover : world.movers)
+        moments.push_back({mover.clock, mover.offset, mover.previousOffset});
+    return moments;
+}
+
+void restoreMovers(World& world, std::span<const MoverMoment> moments) {
+    for (std::size_t i = 0; i < moments.size(); ++i) {
+        Mover& mover = world.movers[i];
+        const bool isElsewhere = mover.offset != moments[i].offset;
+        mover.clock = moments[i].clock;
+        mover.offset = moments[i].offset;
+        mover.previousOffset = moments[i].previousOffset;
+        if (!isElsewhere) continue;
+        for (const Shaft& shaft : mover.shafts)
+            placeShaft(world, mover, shaft, mover.offset, {shaft.first, shaft.last});
+    }
+}
+
 void showMovers(World& world, double part) {
     for (const Mover& mover : world.movers) {
         if (mover.offset == mover.previousOffset) continue;

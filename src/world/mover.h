@@ -101,6 +101,15 @@ bool moveTo(World& world, Mover& mover, Coordinate offset, std::span<Body> bodie
 // Restores the initial places.
 void resetMovers(World& world);
 
+// What a moment keeps of a mover, see world_moment.h.
+struct MoverMoment {
+    int clock = 0;
+    Coordinate offset;
+    Coordinate previousOffset;
+};
+std::vector<MoverMoment> momentOfMovers(const World& world);
+void restoreMovers(World& world, std::span<const MoverMoment> moments);
+
 // Shows the movers at a part of the way between the last two steps: see showBetween.
 void showMovers(World& world, double part);
 

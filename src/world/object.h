@@ -27,6 +27,8 @@ struct Object {
     // Where it faces: one unit long, to the nearest 1/65536; east at first.
     Coordinate facingX = tileEdge(1);
     Coordinate facingY = {};
+
+    friend bool operator==(const Object&, const Object&) = default;
 };
 
 // The sides of an object, in the order of a sprite's rows.

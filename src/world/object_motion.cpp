@@ -238,6 +238,42 @@ void resetObjects(World& world) {
         world.maps[i].objects = moving.objectsAtStart[i];
 }
 
+ObjectsMoment momentOfObjects(const World& world) {
+    const MovingObjects& moving = world.movingObjects;
+    ObjectsMoment moment = {.motions = moving.motions,
+                            .counts = {},
+                            .changed = {},
+                            .nearest = moving.nearest,
+                            .nextNearest = moving.nextNearest,
+                            .turn = moving.turn};
+    for (std::size_t map = 0; map < moving.objectsAtStart.size(); ++map) {
+        const std::vector<Object>& atStart = moving.objectsAtStart[map];
+        const std::vector<Object>& now = world.maps[map].objects;
+        moment.counts.push_back(static_cast<int>(now.size()));
+        for (std::size_t i = 0; i < now.size(); ++i) {
+            if (i >= atStart.size() || now[i] != atStart[i])
+                moment.changed.push_back({static_cast<int>(map), static_cast<int>(i), now[i]});
+        }
+    }
+    return moment;
+}
+
+void restoreObjects(World& world, const ObjectsMoment& moment) {
+    MovingObjects& moving = world.movingObjects;
+    moving.motions = moment.motions;
+    moving.nearest = moment.nearest;
+    moving.nextNearest = moment.nextNearest;
+    moving.turn = moment.turn;
+    for (std::size_t map = 0; map < moment.counts.size(); ++map) {
+        world.maps[map].objects = moving.objectsAtStart[map];
+        world.maps[map].objects.resize(static_cast<std::size_t>(moment.counts[map]));
+    }
+    for (const ChangedObject& changed : moment.changed) {
+        world.maps[static_cast<std::size_t>(changed.map)]
+            .objects[static_cast<std::size_t>(changed.object)] = changed.now;
+    }
+}
+
 void addBodies(const World& world, std::vector<Body>& bodies) {
     for (const ObjectMotion& motion : world.movingObjects.motions) {
         const Object& object = world.maps[static_cast<std::size_t>(motion.map)]

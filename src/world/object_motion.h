@@ -215,6 +215,24 @@ std::size_t turnsOfPatrols(const World& world);
 
 void resetObjects(World& world);
 
+// What a moment keeps of the objects, see world_moment.h: all that moves, and of each map the
+// objects that differ from those at the same place of its list at the start.
+struct ChangedObject {
+    int map = 0;
+    int object = 0;
+    Object now;
+};
+struct ObjectsMoment {
+    std::vector<ObjectMotion> motions;
+    std::vector<int> counts;  // of objects, by map; empty if nothing moves or is found
+    std::vector<ChangedObject> changed;
+    std::array<NearestPortal, kKeptPortals> nearest;
+    std::size_t nextNearest = 0;
+    std::size_t turn = 0;
+};
+ObjectsMoment momentOfObjects(const World& world);
+void restoreObjects(World& world, const ObjectsMoment& moment);
+
 // Notes where all moving objects are, before anything of a step moves them.
 void noteObjects(World& world);
 // Shows them at a part of the way from there: see showBetween.

@@ -167,6 +167,37 @@ void resetQuest(World& world) {
     unlockGates(world);
 }
 
+QuestMoment momentOfQuest(const World& world) {
+    const Quest& quest = world.quest;
+    QuestMoment moment = {.takenOfKind = {},
+                          .finds = quest.finds,
+                          .notices = quest.notices,
+                          .taken = quest.taken,
+                          .hasBegun = quest.hasBegun,
+                          .isReached = quest.isReached,
+                          .steps = quest.steps,
+                          .refusedGate = quest.refusedGate,
+                          .nextNotice = quest.nextNotice};
+    for (const FindKind& kind : quest.kinds) moment.takenOfKind.push_back(kind.taken);
+    return moment;
+}
+
+void restoreQuest(World& world, const QuestMoment& moment) {
+    Quest& quest = world.quest;
+    for (std::size_t i = 0; i < quest.kinds.size(); ++i)
+        quest.kinds[i].taken = moment.takenOfKind[i];
+    quest.finds = moment.finds;
+    quest.notices = moment.notices;
+    quest.taken = moment.taken;
+    quest.hasBegun = moment.hasBegun;
+    quest.isReached = moment.isReached;
+    quest.steps = moment.steps;
+    quest.refusedGate = moment.refusedGate;
+    quest.nextNotice = moment.nextNotice;
+    quest.news.clear();
+    unlockGates(world);
+}
+
 void addTo(Hash& hash, const Quest& quest) {
     if (quest.none()) return;
     for (const std::int64_t number :

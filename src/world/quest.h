@@ -124,6 +124,22 @@ void stepQuest(World& world, const Player& player, const GateAsk& ask, bool isIn
 
 void resetQuest(World& world);
 
+// What a moment keeps of the quest, see world_moment.h.
+struct QuestMoment {
+    std::vector<int> takenOfKind;  // by kind
+    std::vector<Find> finds;
+    std::vector<Notice> notices;
+    int taken = 0;
+    bool hasBegun = false;
+    bool isReached = false;
+    std::int64_t steps = 0;
+    int refusedGate = -1;
+    std::size_t nextNotice = 0;
+};
+QuestMoment momentOfQuest(const World& world);
+// Without news: what has happened before is told.
+void restoreQuest(World& world, const QuestMoment& moment);
+
 void addTo(Hash& hash, const Quest& quest);
 
 }  // namespace slicecast

@@ -1,5 +1,6 @@
 // Any text as a scene that loads: 200 steps with changing input, and pictures of both methods with
-// all that is asked of them. A picture in slices has the same bytes as one in a single call.
+// all that is asked of them. A picture in slices has the same bytes as one in a single call, and
+// steps from a moment that was gone back to lead to the same state.
 #include "base/random.h"
 #include "fuzz/fuzzed_scene.h"
 #include "session/session.h"
@@ -76,6 +77,19 @@ void draw(Session& session, double fraction, Random& random) {
     }
 }
 
+// The same steps from the same moment lead to the same state.
+void goBack(Session& session, const Input& input) {
+    const SessionMoment moment = session.moment();
+    const auto played = [&] {
+        for (int step = 0; step < 20; ++step) session.step(input);
+        return session.fingerprint();
+    };
+    const std::uint64_t first = played();
+    session.restore(moment);
+    if (played() != first) std::abort();
+    session.restore(moment);
+}
+
 void play(World world, Random random) {
     Session session(std::move(world));
     Input input;
@@ -86,6 +100,7 @@ void play(World world, Random random) {
         if (step == kSteps * 3 / 4) session.setFlying(!session.player().flying);
         session.step(input);
         if (step % kStepsOfPicture == 0) draw(session, random.unit(), random);
+        if (step % kStepsOfPicture == 20) goBack(session, input);
         input.use = input.jump = false;
     }
     static_cast<void>(session.fingerprint());

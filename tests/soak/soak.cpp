@@ -1,5 +1,5 @@
 // Random play for a long time: nobody ends up inside a block, no number is lost, memory stays flat,
-// and the same inputs lead to the same state.
+// and the same inputs lead to the same state, also from a moment that was gone back to.
 //
 //     slicecast-soak FRAMES SCENE...
 #include "base/random.h"
@@ -110,7 +110,8 @@ std::string fault(const Session& session) {
     return {};
 }
 
-// Two sessions of one scene get the same inputs, and one of them is drawn.
+// Two sessions of one scene get the same inputs. One of them is drawn, and now and then plays
+// something else and goes back.
 class Soak {
 public:
     Soak(std::string name, const World& world)
@@ -125,6 +126,7 @@ public:
     // False, and a line on standard error, if something is wrong.
     bool frame() {
         if (frames_ % (kStepsPerLeg * kLegsPerChange) == 0) {
+            detour();
             Random same = forChanges_;
             changeSomething(drawn_, forChanges_);
             changeSomething(undrawn_, same);
@@ -142,6 +144,15 @@ public:
     }
 
 private:
+    // One of the sessions plays something else, and goes back to the moment before.
+    void detour() {
+        const SessionMoment before = drawn_.moment();
+        Random random = forInputs_;
+        changeSomething(drawn_, random);
+        const Input input = randomInput(random);
+        for (std::int64_t n = 0; n < kStepsPerLeg; ++n) drawn_.step(input);
+        drawn_.restore(before);
+    }
     static std::uint64_t hashOf(const std::string& text) {
         std::uint64_t hash = 1;
         for (const char c : text) hash = Random(hash ^ static_cast<unsigned char>(c)).next();
