@@ -27,6 +27,7 @@ App::App(Shell& shell) : shell_(shell) {}
 
 void App::play(std::unique_ptr<Session> game) {
     endReplay();
+    replay_.reset();
     if (recorder_) shell_.tell(News::recording, false);
     game_ = std::move(game);
     game_->setClock([this] { return shell_.nowSeconds(); });
@@ -46,8 +47,10 @@ void App::redraw() {
 }
 
 void App::endReplay() {
-    if (!replay_) return;
-    replay_.reset();
+    if (!isReplaying_) return;
+    isReplaying_ = false;
+    seekedStep_.reset();
+    replay_->leave();
     shell_.tell(News::replay, false);
 }
 
@@ -70,7 +73,33 @@ std::optional<Recording> App::takeRecording() {
 void App::replay(Recording recording) {
     if (!game_) return;
     replay_.emplace(std::move(recording));
+    replay_->seek(*game_, 0, 0);  // keeps the start
+    beginReplay();
+}
+
+void App::beginReplay() {
+    isReplaying_ = true;
     shell_.tell(News::replay, true);
+}
+
+bool App::seek(std::int64_t step) {
+    if (!game_ || !replay_ || recorder_) return false;
+    if (!isReplaying_) beginReplay();
+    seekedStep_ = step;
+    redraw();
+    return true;
+}
+
+// True when it is there.
+bool App::seekOn() {
+    const double begin = shell_.nowSeconds();
+    while (!replay_->seek(*game_, *seekedStep_, 1)) {
+        if (shell_.nowSeconds() - begin >= kSliceSeconds) return false;
+    }
+    game_->takeNews();  // what happened on the way is not told
+    seekedStep_.reset();
+    clock_.stop();
+    return true;
 }
 
 void App::resize(int width, int height) {
@@ -255,7 +284,7 @@ void App::dragged(double right, double down) {
 
 void App::look(double right, double down) {
     // The click that starts a replay also moves the mouse.
-    if (paused_ || hidden_ || !game_ || replay_) return;
+    if (paused_ || hidden_ || !game_ || isReplaying_) return;
     turnDegrees_ += right * degreesPerPixel_;
 
     // The same motion moves the middle of the picture equally far up or down as sideways.
@@ -312,7 +341,7 @@ Input App::takeInput() {
 
 void App::play() {
     const Input input = takeInput();
-    if (replay_ && !isAnything(input) && replay_->step(*game_)) {
+    if (isReplaying_ && !isAnything(input) && replay_->step(*game_)) {
         tellStep();
     } else {
         step(input);
@@ -340,6 +369,7 @@ void App::tellStep() {
 
 bool App::frame(double nowSeconds) {
     if (hidden_ || !game_) return false;
+    if (seekedStep_ && !seekOn()) return false;
     if (!paused_) {
         if (beginning_) clock_.stop();
         const int steps = clock_.advance(nowSeconds);

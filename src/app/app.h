@@ -17,6 +17,7 @@
 
 #include <SDL2/SDL_surface.h>
 
+#include <cstdint>
 #include <memory>
 #include <optional>
 #include <string>
@@ -54,7 +55,12 @@ public:
     // Replays a recording in the game, which must have just begun. Any input of the player ends the
     // replay; the mouse alone does not.
     void replay(Recording recording);
-    const Replay* replayed() const { return replay_ ? &*replay_ : nullptr; }
+    const Replay* replayed() const { return isReplaying_ ? &*replay_ : nullptr; }
+    // Goes to the moment after so many steps of the recording, and replays on from there; also when
+    // the replay has ended. The next frames do it, each in little more than kSliceSeconds, and show
+    // no picture on the way. False without a recording, and while recording.
+    bool seek(std::int64_t step);
+    bool isSeeking() const { return seekedStep_.has_value(); }
 
     // The size of the picture, clamped to 1 to kLargestPictureSide.
     void resize(int width, int height);
@@ -127,7 +133,9 @@ private:
     void act(Action action);
     bool actInGame(Action action);
     void look(double right, double down);
+    void beginReplay();
     void endReplay();
+    bool seekOn();
     Input takeInput();
     void play();
     void tellStep();
@@ -141,7 +149,9 @@ private:
 
     Shell& shell_;
     std::optional<Recorder> recorder_;  // outlives the game, which writes to it
-    std::optional<Replay> replay_;
+    std::optional<Replay> replay_;      // also when it has ended, to go back to it
+    bool isReplaying_ = false;
+    std::optional<std::int64_t> seekedStep_;
     std::unique_ptr<Session> game_;
     std::unique_ptr<SDL_Surface, FreeSurface> surface_;
     int width_ = 640;

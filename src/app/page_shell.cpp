@@ -89,7 +89,8 @@ bool isShiftOrControl(SDL_Scancode key) {
 void PageShell::askForFrame() {
     if (!isOpen || asksFrame) return;
     asksFrame = true;
-    slicecastAskForFrame(pageProgram().isBeginning() ? 0 : 1);
+    const bool isHurried = pageProgram().isBeginning() || pageProgram().isSeeking();
+    slicecastAskForFrame(isHurried ? 0 : 1);
 }
 
 }  // namespace

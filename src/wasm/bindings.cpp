@@ -678,7 +678,16 @@ EMSCRIPTEN_KEEPALIVE const char* slicecast_replayState(SlicecastSession* session
         .number(static_cast<double>(replay->stepsDone()))
         .key("isSame")
         .yesNo(replay->isSame());
+    json.key("isSeeking").yesNo(session->ofProgram && pageProgram().isSeeking());
     return session->give(json.endObject().str());
+}
+
+EMSCRIPTEN_KEEPALIVE int32_t slicecast_seekReplay(SlicecastSession* session, int32_t step) {
+    if (session->ofProgram) return pageProgram().seek(step) ? 1 : 0;
+    if (!session->own || !session->replay || session->recorder) return 0;
+    while (!session->replay->seek(*session->own, step, step)) {
+    }
+    return 1;
 }
 
 // ---- program in a page

@@ -209,9 +209,15 @@ int32_t slicecast_replay(SlicecastSession* session);
 // Plays up to `count` steps of the replay. Returns how many it played; fewer at the end.
 int32_t slicecast_replayStep(SlicecastSession* session, int32_t count);
 
-// {"steps", "stepsDone", "isSame"}: the length of the replay, its progress, and whether the eye was
-// at the recorded place at every mark so far. null if there is no replay.
+// {"steps", "stepsDone", "isSame", "isSeeking"}: the length of the replay, its progress, whether
+// the eye was at the recorded place at every mark so far, and whether slicecast_seekReplay is still
+// on its way. null if there is no replay.
 const char* slicecast_replayState(SlicecastSession* session);
+
+// Goes to the moment after so many steps of the recording, and replays on from there; also when the
+// replay has ended. The program does it in its next frames, other sessions at once. 1 on success, 0
+// without a recording and while recording.
+int32_t slicecast_seekReplay(SlicecastSession* session, int32_t step);
 
 // Puts the player's eye somewhere else, flying; also inside blocks and outside the grid. 1 on
 // success, 0 if the eye would see nothing (no such map, not above the floor).

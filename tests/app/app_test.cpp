@@ -582,6 +582,100 @@ TEST_F(AppTest, AnyMovementEndsAReplay) {
     EXPECT_EQ(count(News::record), 1);
 }
 
+TEST_F(AppTest, GoesToAnyMomentOfAReplay) {
+    Recording recording;
+    recording.scene = "field";
+    recording.entries = {RecordedSteps{1000, {.forward = 256, .turn = 128}}};
+    recording.steps = 1000;
+    const auto stateAfter = [&](std::int64_t steps) {
+        Session session(makeField());
+        Replay replay(recording);
+        while (replay.stepsDone() < steps) replay.step(session);
+        return session.fingerprint();
+    };
+    const auto arrive = [&] {
+        while (app.isSeeking()) app.frame(shell.now);
+    };
+    EXPECT_FALSE(app.seek(10)) << "there is no recording";
+    app.play(std::make_unique<Session>(makeField()));
+    app.replay(recording);
+    play(0.5);
+
+    // Paused it stays there, and shows exactly that step
+    app.setPaused(true);
+    for (const int step : {700, 100, 0}) {
+        EXPECT_TRUE(app.seek(step));
+        EXPECT_TRUE(app.wantsFrame());
+        arrive();
+        EXPECT_EQ(app.replayed()->stepsDone(), step);
+        EXPECT_EQ(app.game()->fingerprint(), stateAfter(step)) << step;
+        std::vector<Pixel> expected(shell.last.size());
+        ASSERT_TRUE(app.game()->draw({expected.data(), app.width(), app.height(), app.width()}));
+        EXPECT_EQ(shell.last, expected);
+    }
+    // Playing it goes on from there
+    app.setPaused(false);
+    EXPECT_TRUE(app.seek(500));
+    arrive();
+    EXPECT_EQ(app.replayed()->stepsDone(), 500);
+    play(0.5);
+    EXPECT_EQ(app.game()->fingerprint(), stateAfter(app.replayed()->stepsDone()));
+
+    // Back from where somebody has taken over, and from behind the end
+    press(SDL_SCANCODE_RIGHT);
+    play(0.2);
+    release(SDL_SCANCODE_RIGHT);
+    EXPECT_EQ(app.replayed(), nullptr);
+    EXPECT_TRUE(app.seek(300));
+    EXPECT_EQ(shell.news.back(), (std::pair{News::replay, true}));
+    arrive();
+    EXPECT_EQ(app.game()->fingerprint(), stateAfter(300));
+    EXPECT_TRUE(app.seek(5000));
+    arrive();
+    EXPECT_EQ(app.game()->fingerprint(), stateAfter(1000));
+    play(0.5);
+    EXPECT_EQ(app.replayed(), nullptr);
+    EXPECT_TRUE(app.seek(200));
+    arrive();
+    EXPECT_EQ(app.game()->fingerprint(), stateAfter(200));
+
+    // A step of somebody else ends it on the way
+    EXPECT_TRUE(app.seek(900));
+    app.step({});
+    EXPECT_FALSE(app.isSeeking());
+    app.record("field");
+    EXPECT_FALSE(app.seek(10)) << "while recording";
+    app.takeRecording();
+    app.play(std::make_unique<Session>(makeField()));
+    EXPECT_FALSE(app.seek(10)) << "that was another game";
+}
+
+TEST_F(AppTest, ALongWayIsGoneInSlices) {
+    constexpr std::int64_t kSteps = 400'000;
+    Recording recording;
+    recording.scene = "field";
+    recording.entries = {RecordedSteps{kSteps, {.forward = 256, .turn = 128}}};
+    recording.steps = kSteps;
+    app.play(std::make_unique<Session>(makeField()));
+    app.replay(recording);
+    play(0.1);
+    shell.secondsPerLook = 0.003;
+    const int shown = shell.shown;
+    EXPECT_TRUE(app.seek(5000));
+    int slices = 0;
+    for (; app.isSeeking(); ++slices) {
+        EXPECT_EQ(shell.shown, shown) << "none on the way";
+        const double begin = shell.now;
+        app.frame(begin);
+        if (app.isSeeking()) {
+            ASSERT_LT(shell.now - begin, kSliceSeconds + 0.01);
+        }
+    }
+    EXPECT_GT(slices, 10);
+    EXPECT_GT(shell.shown, shown);
+    EXPECT_EQ(app.replayed()->stepsDone(), 5000);
+}
+
 TEST_F(AppTest, SizesAreClamped) {
     app.resize(0, 1 << 20);
     EXPECT_EQ(app.width(), 1);

@@ -190,6 +190,7 @@ test('each method returns what the table says', async () => {
       enter: kindOf(element.enter({})),
       play: kindOf(element.play()),
       pause: kindOf(element.pause()),
+      seek: kindOf(element.seek(0)),
       reset: kindOf(element.reset()),
       step: kindOf(element.step(2, { forward: 1 })),
       set: kindOf(element.set('fov', 70)),

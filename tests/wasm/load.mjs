@@ -185,6 +185,10 @@ export class Session {
     return this.module._slicecast_replayStep(this.address, count);
   }
 
+  seekReplay(step) {
+    return this.module._slicecast_seekReplay(this.address, step) === 1;
+  }
+
   replayState() {
     return this.json(this.module._slicecast_replayState(this.address));
   }

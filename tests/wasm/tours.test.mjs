@@ -63,7 +63,12 @@ for (const tour of shippedTours) {
         );
       });
       assert.equal(session.replayStep(1), 0);
-      assert.deepEqual(session.replayState(), { steps, stepsDone: steps, isSame: true });
+      assert.deepEqual(session.replayState(), {
+        steps,
+        stepsDone: steps,
+        isSame: true,
+        isSeeking: false,
+      });
       session.free();
     });
   }
@@ -90,6 +95,18 @@ test('the tour of the hunt finds everything and reaches the goal', async () => {
   );
   assert.equal(news.at(-1).kind, 'goal');
   assert.deepEqual(session.news(), []);
+  // Back before the first find, and forth again
+  const { fingerprint } = session.state();
+  assert.ok(session.seekReplay(0));
+  assert.equal(session.game().finds, 0);
+  assert.ok(session.seekReplay(steps));
+  assert.equal(session.state().fingerprint, fingerprint);
+  assert.deepEqual(session.replayState(), {
+    steps,
+    stepsDone: steps,
+    isSame: true,
+    isSeeking: false,
+  });
   const { finds, reached, steps: taken, seconds } = session.game();
   assert.deepEqual({ finds, reached, seconds }, { finds: 4, reached: true, seconds: taken / 120 });
   session.free();

@@ -194,6 +194,10 @@ export class RayCaster extends Base {
     return this.#engine('takeRecording').takeRecording();
   }
 
+  seek(step) {
+    return this.#engine('seek').seek(step);
+  }
+
   reset() {
     this.#engine('reset');
     this.#show.reset();

@@ -326,7 +326,14 @@ export class Engine {
     return this.#module._slicecast_replay(this.#session) === 1;
   }
 
-  // {steps, stepsDone, isSame}, or null if nothing is replayed.
+  // Goes to the moment after so many steps of the recording, and replays on from there; also when
+  // the replay has ended. Returns false without a recording, and while recording.
+  seek(step) {
+    if (!(step >= 0)) throw new RangeError(`seek: found ${step}, expected a number of steps.`);
+    return this.#module._slicecast_seekReplay(this.#session, step) === 1;
+  }
+
+  // {steps, stepsDone, isSame, isSeeking}, or null if nothing is replayed.
   get replayState() {
     return this.#json(this.#module._slicecast_replayState(this.#session));
   }
