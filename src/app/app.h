@@ -135,7 +135,7 @@ private:
     void look(double right, double down);
     void beginReplay();
     void endReplay();
-    bool seekOn();
+    __attribute__((noinline)) bool seekOn();  // no first picture needs it
     Input takeInput();
     void play();
     void tellStep();

@@ -133,6 +133,8 @@ Recording Recorder::finish(const Session& session) const {
 
 // ---- replay
 
+Replay::~Replay() = default;
+
 bool Replay::step(Session& session) {
     // Entries before the step
     if (isOver()) return false;

@@ -149,6 +149,7 @@ inline constexpr std::size_t kMostMomentBytes = 16u << 20;  // of all but the fi
 class Replay {
 public:
     explicit Replay(Recording recording) : recording_(std::move(recording)) {}
+    ~Replay();  // not inline: a page without a recording need not load it
 
     // Plays the next step. False after the last one; then nothing is stepped.
     bool step(Session& session);

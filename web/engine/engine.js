@@ -14,7 +14,7 @@ import { createModule } from './engine-module.js';
 import { withBytes, withStrings } from './module-memory.js';
 import { unknown } from './nearest-name.js';
 import { Pauses } from './pauses.js';
-import { Questions } from './questions.js';
+import { misread, Questions } from './questions.js';
 import { Trouble } from './trouble.js';
 
 const kAxes = ['forward', 'strafe', 'turn', 'look', 'fly'];
@@ -172,9 +172,7 @@ export class Engine {
   step(input = {}, count = 1) {
     const [axes, buttons] = readInput(input);
     if (!Number.isInteger(count) || count < 0 || count > kMostSteps)
-      throw new RangeError(
-        `step: found count ${count}, expected a whole number from 0 to ${kMostSteps}.`,
-      );
+      throw misread('step', `count ${count}`, `a whole number from 0 to ${kMostSteps}`);
     for (let i = 0; i < count; ++i)
       this.#module._slicecast_step(this.#session, ...axes, 0, 0, buttons);
   }
@@ -329,7 +327,7 @@ export class Engine {
   // Goes to the moment after so many steps of the recording, and replays on from there; also when
   // the replay has ended. Returns false without a recording, and while recording.
   seek(step) {
-    if (!(step >= 0)) throw new RangeError(`seek: found ${step}, expected a number of steps.`);
+    if (!(step >= 0)) throw misread('seek', step, 'a number of steps');
     return this.#module._slicecast_seekReplay(this.#session, step) === 1;
   }
 
@@ -567,14 +565,12 @@ function imageOf(pixels, width, height) {
 function readInput(input) {
   for (const name of Object.keys(input ?? { [input]: 0 })) {
     if (!kAxes.includes(name) && !Object.hasOwn(kButtons, name))
-      throw new Error(
-        `step: found "${name}", expected ${[...kAxes, ...Object.keys(kButtons)].join(', ')}.`,
-      );
+      throw misread('step', `"${name}"`, [...kAxes, ...Object.keys(kButtons)].join(', '));
   }
   const axes = kAxes.map((name) => {
     const value = input[name] ?? 0;
     if (!(Math.abs(value) <= 1))
-      throw new Error(`step: found ${name} ${value}, expected a number from -1 to 1.`);
+      throw misread('step', `${name} ${value}`, 'a number from -1 to 1');
     return value;
   });
   return [

@@ -201,6 +201,6 @@ function columnList(method, columns) {
   return isList ? columns : Array.from({ length: last - first + 1 }, (_, index) => first + index);
 }
 
-function misread(method, found, expected) {
+export function misread(method, found, expected) {
   return new RangeError(`${method}: found ${found}, expected ${expected}.`);
 }

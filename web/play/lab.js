@@ -2,7 +2,7 @@
 // column by column, light, old ways of drawing beside the exact one, photo mode and the benchmark.
 // It stays open while somebody plays.
 //
-//     const lab = new Lab(sheet, caster, { settings, photo, benchmark });
+//     const lab = new Lab(sheet, caster, { settings, photo, benchmark, record, replay, explain });
 //     lab.toggle();
 
 import { Divider } from './divider.js';
@@ -114,7 +114,7 @@ export class Lab {
   #timer = 0;
   #ways = [];
 
-  constructor(sheet, caster, { settings, photo, benchmark }) {
+  constructor(sheet, caster, { settings, photo, benchmark, ...others }) {
     this.#sheet = sheet;
     this.#caster = caster;
     this.#settings = settings;
@@ -135,6 +135,12 @@ export class Lab {
     find('options').replaceChildren(...groups);
     find('photo').addEventListener('click', photo);
     find('benchmark').addEventListener('click', benchmark);
+    // These need the whole picture.
+    for (const [name, act] of Object.entries(others))
+      find(name).addEventListener('click', ({ pointerType }) => {
+        this.close();
+        act({ touch: pointerType === 'touch' });
+      });
     find('close').addEventListener('click', () => this.close());
     find('way').addEventListener('input', ({ target }) => this.#choose(target.value));
     sheet.addEventListener('keydown', (event) => {

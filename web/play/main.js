@@ -6,7 +6,7 @@
 //     page-status.js       shows title, progress, errors and modes
 //     dialogs.js           scenes, keys, settings, share; page-keys.js opens them too
 //     settings.js          the visitor's settings; view-options.js passes them to the engine
-//     page-parts.js        opening, hints, Lab, photo mode, benchmark, key editor
+//     page-parts.js        opening, hints, Lab, photo mode, benchmark, recordings, key editor
 //
 // Parameters of the address: scene=NAME or a path, view=, options= and overlay= as
 // engine/address.js spells them, tour=NAME (a recording in the folder tours, which names its
@@ -25,7 +25,6 @@ import { padMenu } from './pad-menu.js';
 import { listenForPageKeys } from './page-keys.js';
 import { addPageParts } from './page-parts.js';
 import { PageStatus } from './page-status.js';
-import { toggleRecording } from './recording.js';
 import { listScenes } from './scene-list.js';
 import { SceneMenu } from './scene-menu.js';
 import { Settings } from './settings.js';
@@ -69,10 +68,10 @@ function start() {
     dialogs,
     toggleFullScreen,
     toggleRate: () => settings.set('rate', !settings.value('rate')),
-    toggleRecording: () => toggleRecording(caster, address, (text) => toast.show(text)),
+    toggleRecording: () => replayBar.toggleRecording(),
   });
 
-  const { opening, toast } = addPageParts(caster, { settings, address, dialogs, status });
+  const { opening, replayBar } = addPageParts(caster, { settings, address, dialogs, status });
   find('play').addEventListener('click', ({ pointerType }) =>
     caster.enter({ touch: pointerType === 'touch' }),
   );
@@ -123,7 +122,8 @@ function start() {
   window.slicecast = caster;
 }
 
-// A click on the picture plays and captures the mouse. The element handles taps.
+// A click on the picture plays and captures the mouse, unless a recording is replayed, which the
+// mouse does not steer. The element handles taps.
 function playByClick(caster) {
   let begins = false;
   caster.addEventListener(
@@ -134,7 +134,7 @@ function playByClick(caster) {
     { capture: true },
   );
   caster.addEventListener('click', () => {
-    if (begins) caster.enter({ mouse: true });
+    if (begins) caster.enter({ mouse: caster.replay === null });
     begins = false;
   });
 }

@@ -1,9 +1,10 @@
-// Adds the page's optional parts: the opening, hints, messages about keys, the Lab with photo mode
-// and benchmark, and the key editor.
+// Adds the page's optional parts: the opening, hints, messages about keys, the Lab with photo mode,
+// benchmark, recordings and pixels explained, and the key editor.
 //
-//     const { opening, toast } = addPageParts(caster, { settings, address, dialogs, status });
+//     const { opening, replayBar } = addPageParts(caster, { settings, address, dialogs, status });
 
 import { BenchmarkDialog } from './benchmark-dialog.js';
+import { ExplainPixel } from './explain-pixel.js';
 import { GameDisplay } from './game-display.js';
 import { Hints } from './hints.js';
 import { KeyEditor } from './key-editor.js';
@@ -11,6 +12,7 @@ import { listenForEffects } from './key-effects.js';
 import { Lab } from './lab.js';
 import { Opening } from './opening.js';
 import { Photo } from './photo.js';
+import { ReplayBar } from './replay-bar.js';
 import { Toast } from './toast.js';
 
 const find = (id) => document.getElementById(id);
@@ -29,11 +31,23 @@ export function addPageParts(caster, { settings, address, dialogs, status }) {
     write: (name, value) => lab.write(name, value),
     nameOf: () => (address.reference ?? 'picture').replace(/\.json$/, ''),
   });
+  const replayBar = new ReplayBar(find('replay'), caster, {
+    address,
+    say: (text) => toast.show(text),
+    fail: (error) => status.fail(error),
+  });
+  const explain = new ExplainPixel(find('explain'), find('explain-cover'), caster);
   const lab = new Lab(find('lab'), caster, {
     settings,
     photo: () => photo.begin(),
     benchmark: () => dialogs.open('benchmark'),
+    record: (how) => replayBar.record(how),
+    replay: () => find('files').click(),
+    explain: () => explain.begin(),
   });
-  find('open-lab').addEventListener('click', () => lab.toggle());
-  return { opening: new Opening(caster), toast };
+  find('open-lab').addEventListener('click', () => {
+    explain.end();
+    lab.toggle();
+  });
+  return { opening: new Opening(caster), replayBar };
 }
