@@ -336,7 +336,14 @@ bool Session::setEye(const Eye& eye) {
                                    .heading = static_cast<int>(heading * kRecordedDegree),
                                    .look = static_cast<int>(look * kRecordedHeight)});
     }
-    player_ = playerWithEye(eye.map, eye.x, eye.y, eye.z, heading, look);
+    const Eye now = this->eye();
+    if (eye.map == now.map && eye.x == now.x && eye.y == now.y && eye.z == now.z) {
+        slicecast::setHeading(player_, heading);
+        player_.look = look;
+        player_.lookRate = 0.0;
+    } else {
+        player_ = playerWithEye(eye.map, eye.x, eye.y, eye.z, heading, look);
+    }
     previous_ = player_;
     return true;
 }

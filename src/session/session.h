@@ -96,8 +96,9 @@ public:
     std::vector<QuestNews> takeNews();
 
     // Puts the player's eye somewhere else, flying, for tools; also outside the grid and inside
-    // blocks. Returns false and changes nothing if the eye would see nothing: no such map, at or
-    // below the floor, look beyond kMaxLook, or a heading that is NaN or infinite.
+    // blocks. Where the eye already is, the player only turns, and goes on walking. Returns false
+    // and changes nothing if the eye would see nothing: no such map, at or below the floor, look
+    // beyond kMaxLook, or a heading that is NaN or infinite.
     bool setEye(const Eye& eye);
 
     // Moves the player into a map: to the scene's start if it lies in that map, else to the place

@@ -219,8 +219,9 @@ const char* slicecast_replayState(SlicecastSession* session);
 // without a recording and while recording.
 int32_t slicecast_seekReplay(SlicecastSession* session, int32_t step);
 
-// Puts the player's eye somewhere else, flying; also inside blocks and outside the grid. 1 on
-// success, 0 if the eye would see nothing (no such map, not above the floor).
+// Puts the player's eye somewhere else, flying; also inside blocks and outside the grid. Where the
+// eye already is, the player only turns. 1 on success, 0 if the eye would see nothing (no such map,
+// not above the floor).
 int32_t slicecast_setEye(SlicecastSession* session, int32_t map, double x, double y, double z,
                          double headingDegrees, double look);
 

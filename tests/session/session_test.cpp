@@ -186,6 +186,29 @@ TEST(Session, PutsTheEyeAnywhereThatItCanSeeFrom) {
     EXPECT_EQ(session.eye().headingDegrees, 270.0);
 }
 
+// Also while the eye still rises after a step up, where a body would not fit below it.
+TEST(Session, AnEyeThatStaysOnlyTurns) {
+    Session walker(yards());
+    Session turned(yards());
+    for (int step = 0; step < 200; ++step) {
+        const Input input = {.forward = 1.0};
+        walker.step(input);
+        turned.step(input);
+        Eye eye = turned.eye();
+        eye.look = 0.1;
+        ASSERT_TRUE(turned.setEye(eye));
+        ASSERT_FALSE(turned.player().flying);
+        eye = turned.eye();
+        ASSERT_EQ(eye.look, 0.1);
+        ASSERT_EQ(eye.x, walker.eye().x);
+        ASSERT_EQ(eye.z, walker.eye().z);
+    }
+    Eye higher = turned.eye();
+    higher.z = higher.z + toCoordinate(0.01);
+    ASSERT_TRUE(turned.setEye(higher));
+    EXPECT_TRUE(turned.player().flying);
+}
+
 TEST(Session, ResetKeepsTheOptions) {
     Session session(yards());
     session.setOption("fov", "75");

@@ -121,8 +121,9 @@ public:
     // The same into a new image; an empty one where draw() returns false.
     Image picture(int width, int height);
 
-    // The player's eye. setCamera() puts the player there, flying. It returns false and changes
-    // nothing if a value is outside its range or there is no such map.
+    // The player's eye. setCamera() puts the player there, flying; where the eye already is, the
+    // player only turns. It returns false and changes nothing if a value is outside its range or
+    // there is no such map.
     Camera camera() const;
     bool setCamera(const Camera& camera);
 
