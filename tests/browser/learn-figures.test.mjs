@@ -707,3 +707,48 @@ test('without scripts there are pictures, drawings and numbers, and nothing to p
   for (const selector of ['#walk .fig-scrub', '#walk .fig-tools', '#paint .fig-palette'])
     assert.equal(await tall(selector), 0, selector);
 });
+
+test('a figure with a mistake says in its place what it is', async (t) => {
+  const script = `
+    import { mapView, mount, picture } from './learn/figures.js';
+    const figure = { scene: 'first-steps.json', view: '5,5,0.5,250', rows: [[picture()]] };
+    const scenes = new URL('scenes/', location.href);
+    const change = {
+      a: { scene: 'first-steps' },
+      b: { rows: [picture()] },
+      c: { rows: [[mapView({ handels: ['eye'] })]] },
+      d: {},
+    };
+    for (const [name, its] of Object.entries(change))
+      mount(document.getElementById(name), { ...figure, ...its }, { name, scenes }).ready.then(
+        () => (document.getElementById(name).dataset.is = 'live'),
+        () => (document.getElementById(name).dataset.is = 'told'));`;
+  const { page } = await openPage(t, browser, {
+    query: 'mistakes.html',
+    viewport: { width: 700, height: 900 },
+    expectErrors: true,
+    server: {
+      files: {
+        'mistakes.html': `<!doctype html><html lang="en"><meta charset="utf-8"><title>Figures</title>
+          <link rel="icon" href="favicon.svg"><link rel="stylesheet" href="learn/figures.css">
+          <script type="module" src="ray-caster.js"></script>
+          <script type="module" src="mistakes.js"></script>
+          ${['a', 'b', 'c', 'd'].map((id) => `<figure id="${id}"></figure>`).join('')}`,
+        'mistakes.js': script,
+      },
+    },
+  });
+  await page.waitForFunction(() => document.querySelectorAll('figure[data-is]').length === 4);
+  const told = (id) =>
+    page.evaluate((which) => {
+      const [node, more] = document.querySelectorAll(`#${which} [role=alert]`);
+      return more === undefined ? (node?.innerText ?? '') : 'twice';
+    }, id);
+  assert.match(
+    await told('a'),
+    /^scene: .*first-steps could not.*404. Did you mean 'first-steps.json'\?/,
+  );
+  assert.match(await told('b'), /rows\[0\]: found a view, expected a list of views/);
+  assert.match(await told('c'), /Unknown option 'handels'. Did you mean 'handles'\?/);
+  assert.equal(await told('d'), '');
+});

@@ -9,6 +9,7 @@ import { gzipSync } from 'node:zlib';
 
 import { load } from '../../build/web/node/index.js';
 import { drawStatic, openingNow } from '../../web/learn/figures/draw.js';
+import { checkFigure } from '../../web/learn/figures/check.js';
 import * as kit from '../../web/learn/figures/kit.js';
 import { apply, makeNow } from '../../web/learn/figures/now.js';
 import { nodeSource } from '../../web/learn/figures/source.js';
@@ -524,4 +525,27 @@ test('the kit is small', async (t) => {
   const [some, all] = [await bytes(usual), await bytes(Object.keys(kit).join())];
   t.diagnostic(`the usual views: ${some} bytes, all: ${all}`);
   assert.ok(some < 25000 && all < 29000, `${some} ${all}`);
+});
+
+test('what is left out of a figure, or misspelt, is named', () => {
+  const { divider, mapView, picture, slider } = kit;
+  const good = {
+    scene: 'yard-1.json',
+    view: '1,1,0.5,0',
+    controls: [slider({ eye: 'heading' })],
+    rows: [[picture({ alt: () => '' }), mapView({ handles: ['eye'] })], [mapView({ paint: true })]],
+  };
+  checkFigure(good);
+  for (const [change, ...expected] of [
+    [{ scene: undefined, sceen: 'a.json' }, /Unknown field 'sceen'.*'scene'/, /scene: found undef/],
+    [{ rows: undefined }, /rows: found none, expected a list of rows/],
+    [{ rows: [picture()] }, /rows\[0\]: found a view, expected a list of views, as in \[picture/],
+    [{ rows: [[picture]] }, /rows\[0\]\[0\]: found .*, expected a view, as picture\(\) returns/],
+    [{ rows: [[picture(), mapView({ handels: [] })]] }, /rows\[0\]\[1\]: .*'handels'.*'handles'/],
+    [{ rows: [[mapView({ levles: [0] })]] }, /'levles'. Did you mean 'levels'/],
+    [{ rows: [[divider({ right: { oldway: 'x' } })]] }, /\[0\].right: .*'oldway'.*'oldWay'/],
+    [{ controls: [slider] }, /controls\[0\]: found .*, expected a control/],
+  ])
+    for (const pattern of expected)
+      assert.throws(() => checkFigure({ ...good, ...change }), pattern);
 });

@@ -11,6 +11,8 @@ const kStaged = path.resolve('build/learn');
 export async function stage({ states }) {
   rmSync(kStaged, { recursive: true, force: true });
   cpSync('web/learn', kStaged, { recursive: true });
+  // The one module that the figures share with the engine stays where they import it from.
+  cpSync('web/engine/nearest-name.js', path.resolve(kStaged, '../engine/nearest-name.js'));
   symlinkSync(path.resolve('tools/node_modules'), path.join(kStaged, 'node_modules'));
   const moduleAt = (name) => import(pathToFileURL(path.resolve('web/learn/raycaster', name)));
   const [{ asModule }, { faults, faultyText }] = await Promise.all(

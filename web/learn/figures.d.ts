@@ -1,4 +1,4 @@
-// Types of the figure kit, learn/figures.js. web/learn/figures/README.md describes everything here.
+// Types of the figure kit, learn/figures.js. web/docs/figure-kit.md describes everything here.
 
 import type { SliceTrace, View as Eye } from '../shapes.js';
 

@@ -2,6 +2,7 @@
 //
 //     const { html, posters, numbers, says } = drawStatic(figure, source, { name, poster });
 
+import { checkFigure } from './check.js';
 import { bodyOf, figureMarkup, frameOf, titleOf, widthsOf } from './layout.js';
 import { escape, fixed } from './markup.js';
 import { apply, makeNow, setOptions } from './now.js';
@@ -35,6 +36,7 @@ export function drawStatic(
     image = (file) => `scenes/${file}`,
   } = {},
 ) {
+  checkFigure({ scene: '', ...figure }); // the source has it
   source.image = image; // beside the page, and not beside the build
   const now = openingNow(figure, source);
   const posters = [];

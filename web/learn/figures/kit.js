@@ -1,4 +1,4 @@
-// Everything that a figure's module imports; README.md tells what it offers.
+// Everything that a figure's module imports; web/docs/figure-kit.md tells what it offers.
 
 export * from './controls.js';
 export * from './geometry.js';

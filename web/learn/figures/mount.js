@@ -19,6 +19,7 @@ import {
   widthsOf,
 } from './layout.js';
 import { apply, changeOf, makeNow, setOptions, valueOf } from './now.js';
+import { showImage } from './show-image.js';
 import { elementSource } from './source.js';
 import { changed, openingState, readState, same, sizeOf, writeState } from './state.js';
 import { sidesOf } from './views/divider.js';
@@ -54,7 +55,10 @@ class LiveFigure {
     this.#element = element;
     this.#figure = figure;
     this.#options = { name: 'figure', address: true, ...options };
-    this.ready = this.#start();
+    this.ready = this.#start().catch((error) => {
+      this.#tell(error.message);
+      throw error;
+    });
   }
 
   get state() {
@@ -104,7 +108,10 @@ class LiveFigure {
 
   async #start() {
     const figure = this.#figure;
-    this.#root = this.#element.querySelector('.fig') ?? this.#makeRoot();
+    const built = this.#element.querySelector('.fig');
+    this.#root = built ?? this.#makeRoot();
+    // What a build has drawn it has checked.
+    if (built === null) (await import('./check.js')).checkFigure(figure);
     await customElements.whenDefined('ray-caster');
     this.#findPanels();
     const scene = await this.#makePictures();
@@ -142,6 +149,15 @@ class LiveFigure {
     this.#observer.observe(this.#root);
     this.#root.classList.add('live');
     return this;
+  }
+
+  // Why there is no live figure.
+  #tell(message) {
+    const node = document.createElement('p');
+    node.className = 'fig-fault';
+    node.setAttribute('role', 'alert');
+    node.textContent = message;
+    this.#root.prepend(node);
   }
 
   #width = 0;
@@ -202,7 +218,7 @@ class LiveFigure {
         ? !panel.view.options
         : place === 0 && !panel.view.left.options && !panel.view.left.oldWay);
     this.#main = this.#pictures.find(isPlain) ?? this.#hiddenCaster();
-    return isFile ? (await fetch(address)).json() : scene;
+    return isFile ? readScene(scene, address) : scene;
   }
 
   #makeCaster({ view, frame, over }, place) {
@@ -327,7 +343,7 @@ class LiveFigure {
       return;
     }
     const { width, height, data } = picture;
-    canvas.getContext('2d').putImageData(new ImageData(data, width, height), 0, 0);
+    showImage(canvas, new ImageData(data, width, height));
   }
 
   // ---- Drawing
@@ -568,6 +584,18 @@ class LiveFigure {
     clearTimeout(this.#timers.get(name));
     this.#timers.set(name, setTimeout(act, milliseconds));
   }
+}
+
+async function readScene(name, address) {
+  const response = await fetch(address).catch(({ message }) => ({ ok: false, status: message }));
+  const fault = (found) =>
+    new Error(
+      `scene: ${address} ${found}.${/\.json$/.test(name) ? '' : ` Did you mean '${name}.json'?`}`,
+    );
+  if (!response.ok) throw fault(`could not be fetched: ${response.status}`);
+  return response.json().catch(({ message }) => {
+    throw fault(`is not JSON: ${message}`);
+  });
 }
 
 const hasFrame = ({ kind }) => kind === 'picture' || kind === 'divider';

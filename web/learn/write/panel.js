@@ -6,6 +6,7 @@
 import { expectations } from '../raycaster/checks.js';
 import { difference, taught } from '../raycaster/compare.js';
 import { functionsOf } from '../raycaster/states.js';
+import { showImage } from '../figures/show-image.js';
 import { carry } from './carry.js';
 import { newLines, paint } from './code.js';
 import { Desk } from './desk.js';
@@ -357,7 +358,7 @@ class Panel {
     const { picture } = await this.#runner.ask('draw', { view, fov, seconds, ...kSize });
     this.#last = { ...picture, view };
     const image = new ImageData(picture.data, picture.width, picture.height);
-    this.#parts.mine.getContext('2d').putImageData(image, 0, 0);
+    showImage(this.#parts.mine, image);
     this.#parts.mineFigure.classList.remove('stale');
   }
 

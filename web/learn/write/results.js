@@ -1,5 +1,6 @@
 // Shows what a run has given: checks, pixels, and the first pixel that differs.
 
+import { showImage } from '../figures/show-image.js';
 import { paint } from './code.js';
 import { button, fixed, make, percent, words } from './make.js';
 
@@ -180,13 +181,12 @@ function walkTable({ mine, engine }) {
 
 // Equal pixels are a dim grey, different ones bright, the rest is left empty.
 export function paintDifference(canvas, mine, map, mask) {
-  const context = canvas.getContext('2d');
-  const image = context.createImageData(canvas.width, canvas.height);
+  const image = new ImageData(canvas.width, canvas.height);
   for (let pixel = 0; pixel < map.length; pixel++) {
     const at = 4 * pixel;
     if (mask[pixel] === 0) continue;
     const grey = 24 + (mine[at] + mine[at + 1] + mine[at + 2]) / 8;
     image.data.set(map[pixel] === 1 ? [255, 96, 48, 255] : [grey, grey, grey, 255], at);
   }
-  context.putImageData(image, 0, 0);
+  showImage(canvas, image);
 }

@@ -5,7 +5,7 @@ export function panel({ markup, ...options }) {
   return { kind: 'panel', share: 1, ...options, markup };
 }
 
-// A drawing in CSS pixels; web/learn/figures/README.md tells its options.
+// A drawing in CSS pixels; web/docs/figure-kit.md tells its options.
 export function drawing({ height = 260, ...options }) {
   return {
     kind: 'drawing',
