@@ -75,12 +75,15 @@ function watch() {
 
   // An engine in a room, and all its events.
   window.startEngine = async ({ paused = true, scene = 'room' } = {}) => {
-    const [{ fetchEngine }, { Engine }, { sceneAt }] = await Promise.all(
-      ['./engine/engine-files.js', './engine/engine.js', './scene-at.js'].map(
-        (name) => import(name),
-      ),
+    const [{ fetchEngine }, { Engine }, { Questions }, { sceneAt }] = await Promise.all(
+      [
+        './engine/engine-files.js',
+        './engine/engine.js',
+        './engine/questions.js',
+        './scene-at.js',
+      ].map((name) => import(name)),
     );
-    window.files ??= await fetchEngine();
+    window.files ??= { ...(await fetchEngine()), Questions };
     const canvas = document.body.appendChild(document.createElement('canvas'));
     const told = [];
     const engine = await Engine.create({

@@ -131,15 +131,6 @@ for (const [what, code, expected, options] of [
     { server: withPolicy("script-src 'self' 'wasm-unsafe-eval'; connect-src 'none'") },
   ],
   [
-    'a policy without data: addresses',
-    'csp',
-    /connect-src/,
-    {
-      body: '<ray-caster scene="data:application/json,{}"></ray-caster>',
-      server: withPolicy("connect-src 'self'"),
-    },
-  ],
-  [
     'a policy without that host',
     'csp',
     /connect-src/,
@@ -210,6 +201,28 @@ test('a bad scene: all of its faults, each with its place', async (t) => {
     for (const part of [place, found, expected])
       assert.ok(text.includes(part), `${part} in ${text}`);
   }
+});
+
+test("a missing shipped scene suggests the nearest name; the error's message lists all faults", async (t) => {
+  const scene = roomScene();
+  scene.textures.red = 'pictures/none.png';
+  const { page } = await openTroubled(t, {
+    body: '<ray-caster id="a" scene="rom"></ray-caster><ray-caster id="b" scene="bad"></ray-caster>',
+    server: { files: { 'scenes/bad.json': JSON.stringify({ ...scene, start: 3, maps: [] }) } },
+  });
+  const { code, message } = await troubleOf(page, '#a');
+  assert.equal(code, 'fetch');
+  assert.match(message, /rom\.json: the server answers 404.*Did you mean 'room'\?/);
+  const { faults } = await troubleOf(page, '#b');
+  assert.ok(faults.length > 1);
+  const error = await page.evaluate(() =>
+    document
+      .getElementById('b')
+      .whenReady()
+      .catch(({ message: text }) => text),
+  );
+  for (const { place, found, expected } of faults)
+    assert.ok(error.includes(`\n  ${place}: found ${found}, expected ${expected}`), error);
 });
 
 test('missing pictures, invalid JSON, and rows with faults: scene', async (t) => {

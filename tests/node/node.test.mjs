@@ -253,6 +253,39 @@ test('options, the eye and what it sees', async () => {
   scene.free();
 });
 
+test('looking elsewhere lets walkers walk on; walk and fly say otherwise', async () => {
+  const rows = ['##########', '#>.5..#..#', '##########'];
+  const scene = await load({ title: 'A step', rows });
+  const twin = await load({ title: 'A step', rows });
+  const still = [];
+  // Also while the eye still rises after the step up.
+  for (let i = 0; i < 60; ++i) {
+    scene.step(5, { forward: 1 });
+    twin.step(5, { forward: 1 });
+    assert.equal(scene.look({ heading: 0 }), true);
+    assert.deepEqual(scene.currentView, twin.currentView);
+    still.push(scene.currentView.z);
+  }
+  assert.ok(Math.max(...still) > 0.85 && still.at(-1) < 0.51, 'up the step, and down again');
+
+  // Whoever flies stays at that height; whoever walks falls.
+  const fallsFrom = (view) => {
+    assert.equal(scene.look(view), true);
+    const { z } = scene.currentView;
+    scene.step(120);
+    return scene.currentView.z < z - 0.3;
+  };
+  assert.equal(fallsFrom({ z: 1.4, fly: true }), false);
+  assert.equal(fallsFrom({ heading: 90 }), false);
+  assert.equal(fallsFrom({ walk: true }), true);
+  assert.equal(fallsFrom({ z: 1.4 }), true);
+  assert.equal(fallsFrom({ z: 1.4, walk: false }), false);
+  assert.equal(fallsFrom({ fly: false, walk: null }), true);
+  assert.throws(() => scene.look({ fly: 1 }), /look: found fly 1, expected true or false/);
+  scene.free();
+  twin.free();
+});
+
 test('the old ways of drawing, by name, beside the exact picture', async () => {
   const scene = await load('first-walk');
   const size = { width: 96, height: 60 };

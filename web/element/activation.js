@@ -8,6 +8,7 @@
 //     activation.end({focus: true});                    // the cover gets it in any case
 //     activation.setKeys('move');
 
+import { isFinger } from './details.js';
 import { Gamepads } from './gamepads.js';
 import { Thumbs } from './thumbs.js';
 import { touchLayer } from './touch.js';
@@ -29,7 +30,7 @@ export class Activation {
   keys = 'all';
   interaction = 'walk';
   isHeld = false;
-  #byTouch = false; // a finger began, so thumbs are shown whenever the picture has the focus
+  #byTouch = false; // a finger steers, so thumbs are shown whenever the picture has the focus
   #pending = null; // {touch, mouse} of a press on the cover before the scene had loaded
   #pointerHeld = new AbortController();
   #thumbs = null;
@@ -46,6 +47,10 @@ export class Activation {
     box.addEventListener('focusout', ({ relatedTarget }) => {
       if (this.isHeld && !box.contains(relatedTarget)) this.#hold(false);
     });
+    stage.addEventListener('pointerdown', (event) => this.#takeOver(event));
+    // What acts on the picture does not reach the page: it may turn its slides by swiping.
+    for (const type of ['touchstart', 'touchmove', 'touchend', 'touchcancel'])
+      stage.addEventListener(type, (event) => this.isHeld && event.stopPropagation());
     // The focus comes from the cover (begin), or returns with the window.
     stage.addEventListener('focusin', () => {
       if (this.isHeld || !actions.canBegin()) return;
@@ -207,6 +212,21 @@ export class Activation {
     this.#thumbs.hasGates = world.gates > 0;
     this.#thumbs.flying = state.flying;
     leave.before(this.#layer);
+  }
+
+  // A finger on a picture that the mouse or keys steer brings the thumbs, and is the first of them.
+  #takeOver(event) {
+    if (!this.isHeld || !isFinger(event)) return;
+    const { canvas, leave, root } = this.tree;
+    event.preventDefault();
+    event.stopPropagation();
+    if (root.pointerLockElement === canvas) canvas.ownerDocument.exitPointerLock();
+    this.#byTouch = true;
+    this.#showThumbs(true);
+    leave.hidden = false;
+    root
+      .elementFromPoint(event.clientX, event.clientY)
+      ?.dispatchEvent(new PointerEvent(event.type, event));
   }
 
   // While the picture holds the pointer, the wheel does not scroll.

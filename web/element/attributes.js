@@ -49,6 +49,7 @@ const kChoices = {
 
 export function readAttributes(element, warn) {
   warnOfMisspelt(element, warn);
+  warnOfSwallowed(element, warn);
   const wanted = {
     view: readView(element.view, warn),
     size: readSize(element.size, warn),
@@ -132,6 +133,19 @@ function readControls(text, warn) {
     if (!kButtons.includes(word)) warn('controls', unknown('control', word, kButtons));
   const known = kButtons.filter((word) => named.includes(word));
   return known.length === 0 ? kButtons : known;
+}
+
+// HTML ignores the slash of a self-closed tag: the element then holds all that follows it, to the
+// end of its parent. Nobody means to put another one into it, or the parts of a page.
+const kParts =
+  '> :is(main, nav, article, section, header, footer, aside, form, h1, h2):not([data-at])';
+
+function warnOfSwallowed(element, warn) {
+  const { localName: tag, ownerDocument: page } = element;
+  if (page.readyState === 'loading') return;
+  const has = (selector) => element.querySelector(`:scope ${selector}`) !== null;
+  if (has(`${tag}:not([data-at], [data-at] *)`) || (element.nextSibling === null && has(kParts)))
+    warn('content', `It holds what follows it: write <${tag} ...></${tag}>, not <${tag} ... />.`);
 }
 
 // Warns of unknown attributes that are similar to a known one.

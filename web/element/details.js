@@ -1,8 +1,15 @@
 // Helpers for what a <ray-caster> hands to pages: details of events, errors, promises.
 
-// Turns the detail of the event `error` into an Error.
+import { withList } from '../engine/trouble.js';
+
+// Turns the detail of the event `error` into an Error, whose message lists the faults too.
 export function asError(detail) {
-  return Object.assign(new Error(detail.message), detail);
+  return Object.assign(new Error(), detail, { message: withList(detail.message, detail.faults) });
+}
+
+// A pen acts as a finger does.
+export function isFinger({ pointerType }) {
+  return pointerType === 'touch' || pointerType === 'pen';
 }
 
 // Reads the engine's state only on demand, because the event comes with every picture.

@@ -83,12 +83,13 @@ export class Face {
 
   // Says what the picture and the cover are called.
   name() {
-    const { cover, canvas, hint } = this.#tree;
+    const { box, cover, canvas, hint } = this.#tree;
     const name = this.#label || this.#title || 'Raycaster';
     const act = this.#state === 'playing' ? this.#around : 'Play';
     this.#internals.ariaLabel = name;
     canvas?.setAttribute('aria-label', name);
     cover.setAttribute('aria-label', `${act}: ${name}`);
+    box.dataset.name = name;
     hint.textContent = act;
   }
 }

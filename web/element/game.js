@@ -11,7 +11,8 @@
 import { Engine } from '../engine/engine.js';
 import { finalAddress } from '../engine/fetch-bytes.js';
 import { faultOf, orFault } from './faults.js';
-import { nowPlays, players, sharedEngineFiles } from './page-cache.js';
+import { bringMore } from './later-parts.js';
+import { nowPlays, nowStops, nowWakes, players, sharedEngineFiles } from './page-cache.js';
 import { namedScene, readTour } from './source.js';
 import { picturesIn, withReason } from '../engine/source-parts.js';
 import { sceneFault } from '../engine/trouble.js';
@@ -115,7 +116,11 @@ export class Game {
       files,
       canvas,
       takesKey,
-      onEvent: (event, value) => this.engine === engine && hear(event, value),
+      onEvent: (event, value) => {
+        if (this.engine !== engine) return;
+        if (event === 'wake') nowWakes(engine);
+        else hear(event, value);
+      },
     });
     if (!isStale()) return engine;
     engine.stop();
@@ -138,8 +143,9 @@ export class Game {
   }
 
   // Loads what no first picture needs.
-  complete() {
-    return this.engine.complete();
+  async complete() {
+    const { engine } = this;
+    [{ Questions: engine.Questions }] = await Promise.all([bringMore(), engine.complete()]);
   }
 
   // Sets these options, and restores those that were set before and are no longer named. Refused
@@ -185,7 +191,7 @@ export class Game {
   }
 
   #stopEngine() {
-    players.delete(this.engine);
+    nowStops(this.engine);
     this.engine?.stop();
   }
 }

@@ -14,6 +14,7 @@
 
 import { unknown } from '../engine/nearest-name.js';
 import { readAttributes } from './attributes.js';
+import { roomForEngine } from './page-cache.js';
 import { hasParsed, whenParsed } from './parsing.js';
 import { findScene, noScene, tourAddress } from './source.js';
 import { Warnings } from './warnings.js';
@@ -48,6 +49,7 @@ export class Loading {
     this.#game = game;
     this.#actions = actions;
     this.warnings = new Warnings(actions.warn);
+    whenParsed(host, () => this.update(), this.#life);
   }
 
   // Nothing is loading or about to.
@@ -129,10 +131,7 @@ export class Loading {
         this.#actions.changed();
         return;
       }
-      if (!isSceneParsed(host)) {
-        whenParsed(host, () => this.update(), this.#life);
-        return;
-      }
+      if (!isSceneParsed(host)) return; // constructor: again once it is
       const scene = findScene(host);
       const tour = host.tour === '' ? null : tourAddress(host);
       if (scene === null && tour === null) throw noScene(host);
@@ -164,7 +163,9 @@ export class Loading {
     this.#failed = null;
     this.isLoading = true;
     this.#actions.changed();
+    const settled = this.#game.engine === null ? await roomForEngine() : null;
     try {
+      if (isStale()) return;
       const warn = this.warnings.renew('tour');
       const isThere = await this.#game.load({ ...request, warn, onProgress });
       if (!isThere || isStale()) return;
@@ -198,6 +199,8 @@ export class Loading {
       this.#asked = this.#loaded;
       this.isLoading = false;
       this.#actions.failed(error);
+    } finally {
+      settled?.(this.#game.engine);
     }
   }
 

@@ -9,6 +9,10 @@
 //     nowPlays(engine, key);                                  // other engines can adopt its scene
 //     release();
 //     forgetFiles();                                          // before trying again
+//     const settled = await roomForEngine();                  // before an engine is made
+//     settled(engine);                                        // it has its first picture; or null
+//     nowWakes(engine);                                       // an engine that has rested
+//     nowStops(engine);
 //
 // Failures are not cached. Files are kept while anybody holds the cache, pixels only until all
 // holders play; the compiled engine stays until the page is closed.
@@ -18,6 +22,9 @@ import { fetchEngine } from '../engine/engine-files.js';
 import { askAnew, fetchBytes } from '../engine/fetch-bytes.js';
 
 const kMostPixels = 16 << 20; // bytes; more than all shipped pictures together
+// Browsers reserve addresses for each engine, Chromium 10 GB, and have few on phones. Beyond so
+// many, those that play least recently rest, if they are paused.
+const kMostAwake = 32;
 
 const engines = new Map();
 const files = new Map();
@@ -25,7 +32,7 @@ const pixelsOf = new Map(); // a file's bytes -> its picture's pixels
 let pixelBytes = 0;
 let holders = 0;
 
-// The playing engines with their keys: build, scene and tour. Whoever stops an engine removes it.
+// The playing engines with their keys: build, scene and tour.
 export const players = new Map();
 
 export function nowPlays(engine, key) {
@@ -47,6 +54,39 @@ function dropPixels() {
   if (players.size < holders) return;
   pixelsOf.clear();
   pixelBytes = 0;
+}
+
+const awake = new Set(); // engines with a picture, that which woke first at the front
+let loads = 0; // of new engines
+const waiting = []; // functions that let a load try again
+
+function hasRoom() {
+  for (const engine of awake) {
+    if (awake.size + loads < kMostAwake) break;
+    if (engine.rest()) awake.delete(engine);
+  }
+  return awake.size + loads < kMostAwake;
+}
+
+// Waits for others to get their pictures if only then they can rest. More are allowed to play.
+export async function roomForEngine() {
+  while (!hasRoom() && loads > 0) await new Promise((resolve) => waiting.push(resolve));
+  loads += 1;
+  return (engine) => {
+    loads -= 1;
+    if (engine !== null) awake.add(engine);
+    for (const tryAgain of waiting.splice(0)) tryAgain();
+  };
+}
+
+export function nowWakes(engine) {
+  hasRoom();
+  awake.add(engine);
+}
+
+export function nowStops(engine) {
+  players.delete(engine);
+  awake.delete(engine);
 }
 
 // fetchEngine(), once per page and build.

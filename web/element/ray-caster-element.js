@@ -2,9 +2,11 @@
 
 import { readView } from '../engine/address.js';
 import { kAttributes, reflectAttributes, takeEarlyProperties } from './attributes.js';
+import { checkSize } from './check-size.js';
 import { faultOf, orFault } from './faults.js';
+import { bringMore } from './later-parts.js';
 import { Show } from './show.js';
-import { checkSize, snapshotOf } from './snapshot.js';
+import { canBeSeen } from './visibility.js';
 
 // Without a document the class can be imported, but not used.
 const Base = globalThis.HTMLElement ?? class {};
@@ -20,7 +22,7 @@ export class RayCaster extends Base {
     super();
     // Manual: children are shown in several places (hotspots.js), or not at all.
     this.attachShadow({ mode: 'open', slotAssignment: 'manual' });
-    this.#show = new Show(this, this.attachInternals());
+    this.#show = new Show(this, canBeSeen() ? this.attachInternals() : {});
   }
 
   // ---- Life
@@ -229,12 +231,11 @@ export class RayCaster extends Base {
   async snapshot({ width, height, type = 'image/png', ...others } = {}) {
     const engine = this.#engine('snapshot');
     const { picture } = this;
-    return snapshotOf(engine, {
-      width: width ?? picture.width,
-      height: height ?? picture.height,
-      type,
-      ...others,
-    });
+    const size = { width: width ?? picture.width, height: height ?? picture.height };
+    checkSize('snapshot', size);
+    const image = engine.drawOnce(size.width, size.height);
+    const { encoded } = await bringMore();
+    return encoded(image, { type, ...others });
   }
 
   pixels(size) {

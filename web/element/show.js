@@ -9,8 +9,8 @@
 
 import { kOverlays } from '../engine/address.js';
 import { Stage } from './stage.js';
-import { isEngineFailure } from '../engine/trouble.js';
-import { asError, frameDetail, withResolvers } from './details.js';
+import { Trouble, isEngineFailure } from '../engine/trouble.js';
+import { asError, frameDetail, isFinger, withResolvers } from './details.js';
 import { Face } from './face.js';
 import { explain } from './faults.js';
 import { Game } from './game.js';
@@ -20,7 +20,7 @@ import { forgetFiles, holdCache } from './page-cache.js';
 import { Styles } from './styles.js';
 import { buildTree } from './tree.js';
 import { ViewStatus } from './view-status.js';
-import { watchVisibility } from './visibility.js';
+import { canBeSeen, watchVisibility } from './visibility.js';
 
 const kDeadMilliseconds = 500; // no picture for so long after some engine crashed: it was this one
 const kModes = ['recording', 'replay', 'cursor', 'fly'];
@@ -117,7 +117,7 @@ export class Show {
   // ---- Life
 
   connect() {
-    if (this.#life !== null) return; // only moved
+    if (this.#life !== null || !canBeSeen()) return; // only moved, or nothing to do
     this.#life = new AbortController();
     const { signal } = this.#life;
     const until = (act) => signal.addEventListener('abort', act);
@@ -153,6 +153,7 @@ export class Show {
       ({ error }) => isEngineFailure(error) && this.#findDead(error),
       { signal },
     );
+    window.addEventListener('beforeprint', () => this.#loading.near(), { signal });
     // play() or whenReady() was called before it was in the page.
     if (this.#isAskedToPlay || this.#waiting !== null) this.#loading.now();
     if (this.#host.autoplay) this.autoplay();
@@ -206,7 +207,7 @@ export class Show {
   // The scene is in the engine, but has no picture yet.
   #loaded() {
     this.ready = null;
-    if (this.#stage.width === undefined) this.#stage.layOut();
+    this.#stage.layOut();
     this.engine.resize(this.#stage.width, this.#stage.height);
     this.#setMouse();
   }
@@ -332,6 +333,8 @@ export class Show {
     // Does not report the same error again: a page may react by writing into the element, which
     // then tries again.
     if (JSON.stringify(this.error) === JSON.stringify(before)) return;
+    if (this.error.faults.length > 0)
+      console.warn(`<ray-caster> ${asError(this.error).message}`, this.#host);
     this.#letGo();
     this.#steering?.stop();
     this.#face.trouble(this.error, () => this.#retry());
@@ -418,6 +421,7 @@ export class Show {
   // would.
   hold({ mouse = false, touch = this.#isTouched } = {}) {
     const { root, box, cover } = this.#tree;
+    if (!canBeSeen()) return;
     if (this.#loading?.wanted?.interaction === 'none') {
       this.play();
       return;
@@ -446,12 +450,12 @@ export class Show {
     );
   }
 
-  // Notes whether the last press was by a finger, to show thumbs.
+  // Notes whether the last press was by a finger or a pen, to show thumbs.
   #listenToPresses({ box, cover }) {
     box.addEventListener(
       'pointerdown',
       (event) => {
-        this.#isTouched = event.pointerType === 'touch';
+        this.#isTouched = isFinger(event);
         this.#lastPress = event;
       },
       { capture: true },
@@ -489,7 +493,8 @@ export class Show {
 
   #see(isSeen) {
     this.#isSeen = isSeen;
-    if (!isSeen) this.#steering?.end();
+    if (isSeen) this.#stage.layOut();
+    else this.#steering?.end();
     this.run();
   }
 
@@ -575,6 +580,10 @@ export class Show {
   }
 
   whenReady() {
+    if (!canBeSeen())
+      return Promise.reject(
+        new Trouble('There is no browser', 'Nothing is drawn here; slicecast/node draws in Node.'),
+      );
     const isSettled = this.#loading?.isSettled === true;
     if (isSettled && this.canPlay) return Promise.resolve(this.ready);
     if (isSettled && this.error !== null) return Promise.reject(asError(this.error));

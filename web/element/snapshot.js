@@ -1,27 +1,15 @@
 // The view as an image file.
 //
-//     const blob = await snapshotOf(engine, {width: 1280, height: 800, type: 'image/png'});
+//     const blob = await encoded(imageData, {type: 'image/png'});
 
-import { kLargestSide } from './stage.js';
-
-export function checkSize(method, { width, height }) {
-  for (const [name, side] of Object.entries({ width, height })) {
-    if (!Number.isInteger(side) || side < 1 || side > kLargestSide)
-      throw new RangeError(
-        `${method}: found ${name} ${side}, expected a whole number from 1 to ${kLargestSide}.`,
-      );
-  }
-  return { width, height };
-}
-
-export async function snapshotOf(engine, { width, height, type, ...others }) {
+export async function encoded(image, { type, ...others }) {
   for (const name of Object.keys(others))
     throw new RangeError(`snapshot: found ${name}, expected some of width, height, type.`);
-  checkSize('snapshot', { width, height });
+  const { width, height } = image;
   const canvas = document.createElement('canvas');
   canvas.width = width;
   canvas.height = height;
-  canvas.getContext('2d', { alpha: false }).putImageData(engine.drawOnce(width, height), 0, 0);
+  canvas.getContext('2d', { alpha: false }).putImageData(image, 0, 0);
   const blob = await new Promise((resolve) => canvas.toBlob(resolve, type));
   if (blob === null)
     throw new Error(`snapshot: this browser cannot make a picture of ${width} x ${height} pixels.`);

@@ -8,6 +8,7 @@
 import { finalAddress } from '../engine/fetch-bytes.js';
 import { kHome, reachable } from '../engine/home.js';
 import { kMostSceneBytes } from '../engine/limits.js';
+import { nearestName } from '../engine/nearest-name.js';
 import { bringRows } from './later-parts.js';
 import { fetchOnce, pictures } from './page-cache.js';
 import { readSceneObject } from '../engine/scene-object.js';
@@ -123,11 +124,17 @@ function ofRows(element, text, how = '') {
   };
 }
 
-// The element's own text, without that of child elements.
+// The element's own text, without that of child elements; but browsers that translate a page put
+// it into <font>.
 function bareText(element) {
   return [...element.childNodes]
-    .filter(({ nodeType }) => nodeType === Node.TEXT_NODE)
-    .map(({ data }) => data)
+    .map((node) =>
+      node.nodeType === Node.TEXT_NODE
+        ? node.data
+        : node.localName === 'font'
+          ? bareText(node)
+          : '',
+    )
     .join('');
 }
 
@@ -151,10 +158,9 @@ function rowsFiles(element) {
 
 // A shipped scene by its name, as recordings use it.
 export function namedScene(name) {
-  const bare = name.replace(/\.json$/i, '');
-  const scene = importedBy(bare)?.scene;
+  const scene = importedBy(bare(name))?.scene;
   return scene === undefined
-    ? sceneFrom(new URL(`${bare}.json`, kScenes))
+    ? sceneFrom(new URL(`${bare(name)}.json`, kScenes))
     : ofObject({ base: '' }, scene).source();
 }
 
@@ -203,10 +209,10 @@ function sceneFrom(address) {
     address,
     pictures,
     readText: () =>
-      fetchFile(address, undefined, kMostSceneBytes).catch((error) => {
+      fetchFile(address, undefined, kMostSceneBytes).catch(async (error) => {
         throw new Trouble(
           'The scene could not be loaded',
-          `${address.href}: ${error.message}.`,
+          `${address.href}: ${error.message}.${await probablyMeant(address)}`,
           [],
           error.code,
         );
@@ -214,6 +220,21 @@ function sceneFrom(address) {
     ...filesAt((file) => new URL(file, finalAddress(isFile(address) ? address : kScenes))),
   };
 }
+
+// A hint, if the name of a shipped scene is similar to that of a missing one.
+async function probablyMeant(address) {
+  if (new URL('.', address).href !== kScenes.href) return '';
+  try {
+    const list = await fetchOnce(new URL('index.json', kScenes));
+    const names = JSON.parse(new TextDecoder().decode(list)).map(({ file }) => bare(file));
+    const name = nearestName(bare(nameOf(address)), names);
+    return name === null ? '' : ` Did you mean '${name}'?`;
+  } catch {
+    return ''; // the list is missing too
+  }
+}
+
+const bare = (file) => file.replace(/\.json$/i, '');
 
 function sceneOf(name, read, addressOfFile) {
   return {

@@ -7,6 +7,7 @@ export const kLargestSide = 4096; // pixels, as in the engine
 const kLeastLongSide = 320; // pixels; the automatic size goes no lower
 const kLeastFill = 0.8; // of the box; below that, uneven pixels are better than wide margins
 const kAlmost = 1e-6;
+const kAlike = 0.01; // between the two sides' factors
 
 // `size` is 'auto', 'WIDTHxHEIGHT', or a share of the box such as '50%'; the box is in screen
 // pixels. With auto the picture's sides are `scale` times the box's. Returns the picture's size,
@@ -51,15 +52,24 @@ function shown(width, height, scale) {
   };
 }
 
+// How much larger than laid out a box is on the screen: an ancestor's transform, as a slide show
+// has, enlarges both sides alike. Transforms that turn or shrink it are left to the browser.
+function enlargement(across, down) {
+  return across > 1 + kAlike && Math.abs(across - down) < kAlike ? across : 1;
+}
+
 // Keeps `frame`, which holds the canvas, laid out in `stage`, and reports each change of the
-// picture's size, until stop().
+// picture's size, until stop(). layOut() finds what no browser reports: a new transform.
 export class Stage {
-  #box = null; // the observed size, which need not be whole pixels
+  #box = null; // the observed size: {width, height} in CSS pixels, which need not be whole
+  #pixels = null; // the same in screen pixels, where the browser tells them; counts zoom
+  #ended = new AbortController();
   #observer = new ResizeObserver((entries) => {
-    this.#box = entries.at(-1).contentRect;
+    const { contentRect, devicePixelContentBoxSize: exact } = entries.at(-1);
+    this.#box = contentRect;
+    this.#pixels = exact ? { width: exact[0].inlineSize, height: exact[0].blockSize } : null;
     this.layOut();
   });
-  #onWindow = () => this.layOut();
 
   constructor(stage, frame, onPictureSize) {
     this.stage = stage;
@@ -67,14 +77,28 @@ export class Stage {
     this.onPictureSize = onPictureSize;
     this.size = 'auto';
     this.scale = 1; // for the size auto
-    this.#observer.observe(stage);
-    // Moving to another screen may change only devicePixelRatio.
-    window.addEventListener('resize', this.#onWindow);
+    const isExact = 'devicePixelContentBoxSize' in ResizeObserverEntry.prototype;
+    this.#observer.observe(stage, { box: isExact ? 'device-pixel-content-box' : 'content-box' });
+    this.#watchDensity();
+    window.addEventListener('resize', () => this.layOut(), { signal: this.#ended.signal });
   }
 
   stop() {
     this.#observer.disconnect();
-    window.removeEventListener('resize', this.#onWindow);
+    this.#ended.abort();
+  }
+
+  // Another screen, or another zoom of the page.
+  #watchDensity() {
+    const { signal } = this.#ended;
+    matchMedia(`(resolution: ${devicePixelRatio}dppx)`).addEventListener(
+      'change',
+      () => {
+        this.layOut();
+        this.#watchDensity();
+      },
+      { once: true, signal },
+    );
   }
 
   setSize(size) {
@@ -88,16 +112,25 @@ export class Stage {
   }
 
   layOut() {
-    const ratio = window.devicePixelRatio || 1;
-    const boxWidth = (this.#box?.width ?? this.stage.clientWidth) * ratio;
-    const boxHeight = (this.#box?.height ?? this.stage.clientHeight) * ratio;
+    const { stage, frame } = this;
+    const { width, height } = this.#box ?? { width: stage.clientWidth, height: stage.clientHeight };
+    const density = window.devicePixelRatio || 1;
+    const pixels = this.#pixels ?? { width: width * density, height: height * density };
+    const onScreen = stage.getBoundingClientRect();
+    const enlarged = enlargement(
+      (onScreen.width * density) / pixels.width,
+      (onScreen.height * density) / pixels.height,
+    );
+    const boxWidth = pixels.width * enlarged;
+    const boxHeight = pixels.height * enlarged;
+    const ratio = boxWidth / width || density; // screen pixels for each of the frame's
     const wanted = layOut(this.size, boxWidth, boxHeight, this.scale);
-    this.frame.style.width = `${wanted.shownWidth / ratio}px`;
-    this.frame.style.height = `${wanted.shownHeight / ratio}px`;
+    frame.style.width = `${wanted.shownWidth / ratio}px`;
+    frame.style.height = `${wanted.shownHeight / ratio}px`;
     // Centred on whole screen pixels.
-    this.frame.style.left = `${Math.floor((boxWidth - wanted.shownWidth) / 2) / ratio}px`;
-    this.frame.style.top = `${Math.floor((boxHeight - wanted.shownHeight) / 2) / ratio}px`;
-    this.frame.classList.toggle('filtered', !wanted.isEven);
+    frame.style.left = `${Math.floor((boxWidth - wanted.shownWidth) / 2) / ratio}px`;
+    frame.style.top = `${Math.floor((boxHeight - wanted.shownHeight) / 2) / ratio}px`;
+    frame.classList.toggle('filtered', !wanted.isEven);
     if (wanted.width === this.width && wanted.height === this.height) return;
     this.width = wanted.width;
     this.height = wanted.height;

@@ -35,8 +35,9 @@ export const kSheet = `
 .keys kbd { display: inline-block; min-width: 24px; margin: 0 4px 2px 0; padding: 0 6px 2px; font: inherit; font-size: 12px; text-align: center; background: color-mix(in srgb, var(--text) 16%, var(--panel)); box-shadow: var(--light); }
 @container (max-width: 420px) { .keys .again { top: 6px; right: 12px; } }
 
-/* ---- Touch: only during play by a finger */
+/* ---- Touch: only during play by a finger or a pen */
 
+.engaged .stage { touch-action: none; }
 .leave { position: absolute; right: 0; top: 0; display: grid; place-items: center; width: 44px; height: 44px; padding: 0; background: var(--veil); }
 .touch { position: absolute; inset: 0; touch-action: none; user-select: none; -webkit-user-select: none; -webkit-touch-callout: none; }
 .box.touched .controls { display: none; }

@@ -50,6 +50,7 @@ p, h2, ul { margin: 0; padding: 0; }
   text-indent: 0;
   text-shadow: none;
   word-spacing: normal;
+  writing-mode: horizontal-tb;
   white-space: normal;
   color: var(--text);
   background: var(--ink);
@@ -141,7 +142,11 @@ button:focus-visible, .message:focus-visible { outline: 2px solid var(--accent);
   .sheet .again { min-height: 28px; padding: 2px 10px 4px; }
 }
 
-@media print { .cover, .progress { display: none; } }
+@media print {
+  .cover, .progress { display: none; }
+  .box:not(:has(canvas)) { outline: 1px solid #000; outline-offset: -1px; }
+  .box:not(:has(canvas))::before { content: attr(data-name); position: absolute; inset: 0; display: grid; place-items: center; color: #000; }
+}
 
 @media (forced-colors: active) {
   .glyph, .hint, .sheet, .sheet .again { border: 1px solid ButtonText; color: ButtonText; background: ButtonFace; forced-color-adjust: none; }
@@ -177,7 +182,8 @@ export class Styles {
 
   adopt() {
     const { ownerDocument } = this.#root;
-    if (ownerDocument.defaultView === null) return; // a template's: nothing is seen there
+    // A template's, or one without a browser: nothing is seen there.
+    if (!ownerDocument.defaultView?.CSSStyleSheet?.prototype.replaceSync) return;
     const make = (text) => {
       const sheet = new ownerDocument.defaultView.CSSStyleSheet();
       sheet.replaceSync(text);

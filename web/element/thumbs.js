@@ -1,7 +1,7 @@
-// Steering by thumbs. In the left half of the picture a stick appears under the thumb and walks;
-// far beyond its rim it runs. Dragging in the right half looks around; two taps there jump. Buttons
-// jump, crouch and fly; while flying, the first two rise and sink. If the world has gates, another
-// button opens and closes them.
+// Steering by thumbs, or a pen. In the left half of the picture a stick appears under the thumb and
+// walks; far beyond its rim it runs. Dragging in the right half looks around; two taps there jump.
+// Buttons jump, crouch and fly; while flying, the first two rise and sink. If the world has gates,
+// another button opens and closes them.
 //
 //     const thumbs = new Thumbs(root, {hold(held), drag(right, down), fly()});
 //     thumbs.flying = true;

@@ -5,7 +5,7 @@
 //     status.moved();      // the view has changed: describes it 800 ms after the last change
 //     status.stop();       // empties the text
 
-import { describeView } from './view-text.js';
+import { bringMore } from './later-parts.js';
 
 const kRestMilliseconds = 800;
 
@@ -34,11 +34,12 @@ export class ViewStatus {
       const left = this.#lastMove + kRestMilliseconds - performance.now();
       if (left > 0) return this.#wait(left);
       this.#timer = 0;
-      return this.#tell();
+      return this.#tell().catch(() => {}); // no such script: no text
     }, milliseconds);
   }
 
-  #tell() {
+  async #tell() {
+    const { describeView } = await bringMore();
     const { seen, root, canvas } = this.tree;
     const engine = this.engine();
     if (engine === null || canvas === null) return;

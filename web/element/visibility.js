@@ -5,6 +5,9 @@
 // near() is called once, when the element is in the window or close to it; seen() whenever it
 // enters or leaves the window.
 
+// jsdom and its like, in which people test their pages, have elements, but nobody sees them.
+export const canBeSeen = () => globalThis.visualViewport !== undefined;
+
 const kMargin = '50% 25%'; // of the window's size, around the window
 
 const watched = new Map(); // element -> actions

@@ -45,8 +45,8 @@ export function parseView(text, standardLook = 0) {
   return { x, y, z, heading, look, map: parts.slice(5).join(',').trim() || null };
 }
 
-// Reads what look() takes: a view as text, or an object with any of its fields. Fields that are
-// null or undefined stay as they are. Throws a Trouble.
+// Reads what look() takes: a view as text, or an object with any of its fields and `walk` or `fly`.
+// Fields that are null or undefined stay as they are. Throws a Trouble.
 export function readView(view) {
   if (typeof view === 'string') return parseView(view, null);
   if (typeof view !== 'object' || view === null)
@@ -54,9 +54,12 @@ export function readView(view) {
   for (const [name, value] of Object.entries(view)) {
     if ((value ?? null) === null) continue;
     if (Object.hasOwn(kViewLimits, name)) checkNumber('look', name, value);
-    else if (name !== 'map')
+    else if (name === 'walk' || name === 'fly') {
+      if (typeof value !== 'boolean')
+        throw misread(`look: found ${name} ${shown(value)}, expected true or false`);
+    } else if (name !== 'map')
       throw misread(
-        `look: found ${name} ${shown(value)}, expected a view with some of ${Object.keys(kViewLimits).join(', ')}, map`,
+        `look: found ${name} ${shown(value)}, expected a view with some of ${Object.keys(kViewLimits).join(', ')}, map, walk, fly`,
       );
     else if (typeof value !== 'string')
       throw misread(`look: found map ${shown(value)}, expected the name of a map`);

@@ -9,6 +9,8 @@
 // `exports` are those of src/app/page_shell.cpp. takesKey(code) says whether the engine gets a key;
 // writeCode(code) tells it the code before slicecastKey.
 
+import { Trouble } from './trouble.js';
+
 // For some time after a pointer lock ends, browsers refuse a new one: such a refusal is no reason
 // to steer by the cursor.
 const kLockRestMilliseconds = 2000;
@@ -21,6 +23,8 @@ const kWildFactor = 8; // times the motion before
 export function openCanvas(canvas, exports, { writeCode, takesKey }) {
   const page = canvas.ownerDocument; // may differ from the script's document
   const context = canvas.getContext('2d', { alpha: false });
+  if (context === null)
+    throw new Trouble('There can be no picture', 'This browser gives the page no canvas.');
   const listeners = new AbortController();
   const until = { signal: listeners.signal };
   const on = (target, type, listener) =>
@@ -44,7 +48,10 @@ export function openCanvas(canvas, exports, { writeCode, takesKey }) {
   on(canvas, 'keydown', (event) => key(event, 1));
   on(canvas, 'keyup', (event) => key(event, 0));
   on(canvas, 'blur', () => exports.slicecastBlurred());
-  on(page, 'visibilitychange', () => exports.slicecastHidden(page.hidden ? 1 : 0));
+  const lookAnew = () => exports.slicecastHidden(page.hidden ? 1 : 0);
+  on(page, 'visibilitychange', lookAnew);
+  // After a restart of the browser's graphics process a canvas is black.
+  on(canvas, 'contextrestored', lookAnew);
 
   // Reports the motion, and the cursor's place (-1 to 1 from edge to edge) if the engine wants it.
   let lastMotion = 0; // pixels

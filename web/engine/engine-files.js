@@ -21,8 +21,8 @@ const kLater = {
   simd: () => new URL('./slicecast-simd-later.wasm', import.meta.url),
 };
 
-// Returns {kind, program, later, openCanvas} for Engine.create; `later` is a LaterPart, or null.
-// onBytes counts bytes; `total` is 0 while it is unknown. Throws a Trouble.
+// Returns {kind, program, later, openCanvas, canCompileNow} for Engine.create; `later` is a
+// LaterPart, or null. onBytes counts bytes; `total` is 0 while it is unknown. Throws a Trouble.
 export async function fetchEngine({ kind = 'auto', onBytes = () => {} } = {}) {
   if (!browserHasWebAssembly()) {
     throw new Trouble(
@@ -34,14 +34,15 @@ export async function fetchEngine({ kind = 'auto', onBytes = () => {} } = {}) {
   }
   const chosen = chooseBuild(kind);
   const address = reachable(kBuilds[chosen], `engine/slicecast-${chosen}.wasm`, kHome);
+  const canCompileNow = findCompileNow();
   const later = Object.hasOwn(kLater, chosen)
     ? new LaterPart(reachable(kLater[chosen], `engine/slicecast-${chosen}-later.wasm`, kHome).href)
     : null;
   const [program] = await Promise.all([
     compileProgram(address.href, onBytes),
-    canCompileNow() ? null : later?.load(),
+    canCompileNow ? null : later?.load(),
   ]);
-  return { kind: chosen, program, later, openCanvas };
+  return { kind: chosen, program, later, openCanvas, canCompileNow };
 }
 
 class LaterPart {
@@ -80,7 +81,7 @@ class LaterPart {
 }
 
 // Chromium before 115 refuses to compile more than 4 KB while the page waits.
-function canCompileNow() {
+function findCompileNow() {
   const bytes = new Uint8Array(5010); // a program with nothing but 5,000 bytes of comment
   bytes.set([0, 0x61, 0x73, 0x6d, 1, 0, 0, 0, 0, 0x87, 0x27]);
   try {

@@ -15,9 +15,29 @@ import { Trouble } from './trouble.js';
 
 const kPageBytes = 65536;
 
-export async function createModule(
+export async function createModule(program, page = {}) {
+  const { module, imports, take, start } = prepare(program, page);
+  take(await WebAssembly.instantiate(program, imports));
+  if (page.later?.program) await module.complete();
+  return start();
+}
+
+// The same at once, with the memory of another module of that program: it goes on where that one
+// was. Only where the browser can compile at once (engine-files.js).
+export function createModuleNow(program, page, memory) {
+  const { module, imports, take, start, completeNow } = prepare(program, page);
+  take(new WebAssembly.Instance(program, imports));
+  if (page.later?.program) completeNow(page.later.program);
+  start();
+  const lacking = memory.length - module.HEAPU8.length;
+  if (lacking > 0) module._memory.grow(Math.ceil(lacking / kPageBytes));
+  module.HEAPU8.set(memory);
+  return module;
+}
+
+function prepare(
   program,
-  { canvas = null, openCanvas, onSlicecast = () => {}, takesKey = () => true, later = null } = {},
+  { canvas = null, openCanvas, onSlicecast = () => {}, takesKey = () => true, later = null },
 ) {
   const decoder = new TextDecoder();
   const module = {
@@ -31,12 +51,17 @@ export async function createModule(
       const { HEAPU8 } = module;
       return at === 0 ? '' : decoder.decode(HEAPU8.subarray(at, HEAPU8.indexOf(0, at)));
     },
+    get awaitsFrame() {
+      return forgetFrame !== null;
+    },
   };
+  let exports;
   let bytes = new Uint8Array();
   let screen = null;
-  let forgetFrame = () => {}; // the last requested one
+  let forgetFrame = null; // the requested one
 
   const drawFrame = (time) => {
+    forgetFrame = null;
     const begin = performance.now();
     exports.slicecastFrame(time);
     onSlicecast('animation', { time, milliseconds: performance.now() - begin });
@@ -68,7 +93,10 @@ export async function createModule(
         : setTimeout(() => drawFrame(performance.now()));
       forgetFrame = () => (withScreen ? cancelAnimationFrame : clearTimeout)(frame);
     },
-    forgetFrame: () => forgetFrame(),
+    forgetFrame() {
+      forgetFrame();
+      forgetFrame = null;
+    },
     leaveCanvas: () => canvas.blur(),
     tell: (news, yes) => onSlicecast(module.UTF8ToString(news), yes !== 0),
     tellShown(moved) {
@@ -107,6 +135,10 @@ export async function createModule(
       'Its two parts are of different releases. Reload the page.',
     );
   };
+  const completeNow = (part) => {
+    new WebAssembly.Instance(fitting(part), { primary: exports });
+    module.isComplete = true;
+  };
   // Stands in for the functions of the later part, by their place in the table of functions.
   const missing = new Proxy(
     {},
@@ -115,34 +147,37 @@ export async function createModule(
         (_, place) =>
         (...values) => {
           if (later === null) throw new Error("the program's later part is missing");
-          if (!module.isComplete)
-            new WebAssembly.Instance(fitting(later.readNow()), { primary: exports });
-          module.isComplete = true;
+          if (!module.isComplete) completeNow(later.readNow());
           return exports.__indirect_function_table.get(Number(place))(...values);
         },
     },
   );
   // src/wasm/imports.txt lists what a program may ask for.
-  const { exports } = await WebAssembly.instantiate(program, {
+  const imports = {
     page,
     wasi_snapshot_preview1: system,
     env: { emscripten_notify_memory_growth: growFurther },
     placeholder: missing,
-  });
+  };
   module.complete = async () => {
     if (module.isComplete) return;
     await WebAssembly.instantiate(fitting(later.program), { primary: exports });
     module.isComplete = true;
   };
-  if (later?.program) await module.complete();
-  exports._initialize();
-  for (const [name, value] of Object.entries(exports)) module[`_${name}`] = value;
   // Draws now instead of in the requested frame.
   module.frameNow = (time) => {
-    forgetFrame();
+    forgetFrame?.();
     drawFrame(time);
   };
-  return module;
+  const take = (instance) => {
+    ({ exports } = instance);
+  };
+  const start = () => {
+    exports._initialize();
+    for (const [name, value] of Object.entries(exports)) module[`_${name}`] = value;
+    return module;
+  };
+  return { module, imports, take, start, completeNow };
 }
 
 // Says which program a part was split from.

@@ -5,16 +5,16 @@
 //     const faults = await engine.loadScene(source);    // a source, as in source-parts.js
 //     engine.begin();                                   // draws, and listens to the canvas
 //     engine.setOption('fov', 75);
+//     engine.rest();                                    // until it is asked for anything
 //     engine.stop();                                    // frees everything
 //
 // Without a canvas it draws only on request (drawOnce). Any number of engines run side by side and
 // share the compiled program.
 
-import { createModule } from './engine-module.js';
+import { createModule, createModuleNow } from './engine-module.js';
 import { withBytes, withStrings } from './module-memory.js';
-import { unknown } from './nearest-name.js';
+import { misread, unknown } from './nearest-name.js';
 import { Pauses } from './pauses.js';
-import { misread, Questions } from './questions.js';
 import { Trouble } from './trouble.js';
 
 const kAxes = ['forward', 'strafe', 'turn', 'look', 'fly'];
@@ -26,11 +26,14 @@ const kAdoptedSlack = 16 << 20; // bytes that playing may add to the scene: pict
 const kButtons = { jump: 1, fast: 2, slow: 4, use: 8, open: 16, close: 32 };
 
 export class Engine {
-  #running; // the module; null once stopped
+  #running; // the module; null while it rests, and once stopped
+  #resting = null; // then its memory
   #session;
-  #later; // part of the program, or null
+  #files;
+  #page; // what its modules get
   #begun = false;
   #loads = 0;
+  #tasks = 0; // that use the module, and last
   #mapNames = [];
   #startMap = 0; // index of the start's map
   #sceneEnd = 0; // end of used memory right after the scene had loaded
@@ -43,7 +46,9 @@ export class Engine {
       const { program, openCanvas, later } = files;
       const page = { canvas, openCanvas, onSlicecast, takesKey, later };
       engine = new Engine(await createModule(program, page), canvas);
-      engine.#later = later;
+      engine.#files = files;
+      engine.#page = page;
+      engine.Questions = files.Questions ?? null;
       return engine;
     } catch (error) {
       throw new Trouble('The engine does not start', error.message);
@@ -51,6 +56,7 @@ export class Engine {
   }
 
   warnings = []; // of the current scene, in the form of faults
+  Questions = null; // the class of questions.js, which no first picture needs
 
   constructor(module, canvas) {
     this.#running = module;
@@ -60,6 +66,7 @@ export class Engine {
   }
 
   get #module() {
+    if (this.#resting !== null) this.#wake();
     if (this.#running === null) throw new Error('This engine has been stopped.');
     return this.#running;
   }
@@ -69,7 +76,11 @@ export class Engine {
   // returns false. With `keepEye` the player stays where they are, if the new scene has that place.
   // `onProgress` gets the loaded share, 0 to 1, and the number of bytes. Afterwards `warnings`
   // lists probable mistakes in the scene.
-  async loadScene(source, { onProgress, keepEye = false, isWanted = () => true } = {}) {
+  loadScene(source, how = {}) {
+    return this.#during(() => this.#loadScene(source, how));
+  }
+
+  async #loadScene(source, { onProgress, keepEye = false, isWanted = () => true }) {
     const load = ++this.#loads;
     const isLatest = () => load === this.#loads && isWanted();
     const loading = new SceneLoading(this.#module, this.#session, isLatest);
@@ -95,20 +106,74 @@ export class Engine {
   // memory: a fraction of the time of loading. Call it before begin() and while nothing loads.
   // Returns false if the other engine has no scene or has used much more memory since it loaded.
   adopt(other) {
-    if ((other?.#running ?? null) === null) return false;
-    const end = other.#running._slicecast_memoryEnd();
+    const memory = other?.#memory ?? null;
+    if (memory === null) return false;
+    const end = memory.length;
     if (end > other.#sceneEnd + kAdoptedSlack) return false;
     if (
       end > this.memoryBytes &&
       this.#module._malloc(end - this.#module._slicecast_memoryEnd()) === 0
     )
       return false;
-    this.#module.HEAPU8.set(other.#running.HEAPU8.subarray(0, end));
+    this.#module.HEAPU8.set(memory);
     this.warnings = other.warnings;
     this.#mapNames = other.#mapNames;
     this.#startMap = other.#startMap;
     this.#sceneEnd = other.#sceneEnd;
     return this.#module._slicecast_adopt() === 1;
+  }
+
+  // Gives back the module, of which a browser can have only some hundred, and keeps its memory. The
+  // canvas keeps the picture. Whatever is asked next wakes it, as it was, and tells the event
+  // 'wake'. Returns false if it cannot rest: before its first picture, and while it plays.
+  rest() {
+    const module = this.#running;
+    if (!this.#begun || module === null || this.#files.canCompileNow !== true) return false;
+    if (this.#tasks > 0 || module._slicecast_paused() === 0) return false;
+    if (this.canvas.ownerDocument.hidden) return false; // nothing is drawn
+    if (module.awaitsFrame) module.frameNow(performance.now());
+    if (module.awaitsFrame) return false;
+    module._slicecast_stop();
+    this.#resting = this.#memory.slice();
+    this.#running = null;
+    // Else the canvas would stay black.
+    this.canvas.addEventListener('contextrestored', this.#drawAnew);
+    return true;
+  }
+
+  get rests() {
+    return this.#resting !== null;
+  }
+
+  #wake() {
+    const memory = this.#resting;
+    this.#page.onSlicecast('wake', true);
+    this.#running = createModuleNow(this.#files.program, this.#page, memory);
+    this.#resting = null;
+    this.canvas.removeEventListener('contextrestored', this.#drawAnew);
+    this.#running._slicecast_begin();
+  }
+
+  #drawAnew = () => {
+    const { width, height } = this.canvas;
+    this.resize(width, height);
+    this.drawNow(performance.now());
+  };
+
+  // A module in use does not rest.
+  async #during(act) {
+    this.#tasks += 1;
+    try {
+      return await act();
+    } finally {
+      this.#tasks -= 1;
+    }
+  }
+
+  // All that the scene and the game need.
+  get #memory() {
+    const module = this.#running;
+    return this.#resting ?? module?.HEAPU8.subarray(0, module._slicecast_memoryEnd()) ?? null;
   }
 
   // Whether the whole program is there.
@@ -118,15 +183,15 @@ export class Engine {
 
   // Loads the rest of the program, if there is one. Throws a Trouble.
   async complete() {
-    await this.#later?.load();
+    await this.#files.later?.load();
     await this.#running?.complete();
   }
 
   // Starts drawing into the canvas and listening to it. Later calls do nothing.
   begin() {
     if (this.#begun) return;
-    this.#begun = true;
     if (this.#module._slicecast_begin() === 0) throw new Error('There is no canvas.');
+    this.#begun = true;
   }
 
   get hasBegun() {
@@ -134,7 +199,11 @@ export class Engine {
   }
 
   // Draws a scene from its start without showing it: ImageData, or null if the scene has faults.
-  async drawAside(source, width, height) {
+  drawAside(source, width, height) {
+    return this.#during(() => this.#drawAside(source, width, height));
+  }
+
+  async #drawAside(source, width, height) {
     const module = this.#module;
     const session = module._slicecast_create();
     try {
@@ -274,16 +343,18 @@ export class Engine {
     return { x: column, y: row, depth, isSeen: seen === 1 };
   }
 
-  // Moves the eye; fields that the view leaves out stay, and so does walking or flying. Returns
-  // false if there is no room for the eye.
-  look(view) {
+  // Moves the eye; fields that the view leaves out stay, and so does walking or flying unless
+  // `walk` or `fly` says otherwise. An eye that stays where it is only turns. Returns false if
+  // there is no room for the eye.
+  look({ walk, fly, ...view }) {
     const state = this.state;
     if (state === null) return false;
+    const flying = fly ?? ((walk ?? null) === null ? state.flying : !walk);
     const changes = Object.fromEntries(
       Object.entries(view).filter(([, value]) => (value ?? null) !== null),
     );
     if (changes.map !== undefined) changes.map = this.#mapNames.indexOf(changes.map);
-    return this.restore({ ...state, ...changes });
+    return this.restore({ ...state, ...changes, flying });
   }
 
   // Draws changes already in the frame that began at that time, not in the next one.
@@ -351,7 +422,7 @@ export class Engine {
 
   // Questions about rays, pixels, points and cells.
   get questions() {
-    return new Questions(this.#module, this.#session, this.#mapNames);
+    return new this.Questions(this.#module, this.#session, this.#mapNames);
   }
 
   reset() {
@@ -364,6 +435,7 @@ export class Engine {
   }
 
   set paused(paused) {
+    if (paused && this.rests) return;
     this.#module._slicecast_pause(paused ? 1 : 0);
   }
 
@@ -438,14 +510,15 @@ export class Engine {
 
   // The size of its WebAssembly memory.
   get memoryBytes() {
-    return this.#module.HEAPU8.length;
+    return (this.#resting ?? this.#module.HEAPU8).length;
   }
 
   // Removes all listeners and frames, so that the memory can be freed. Later calls throw.
   stop() {
     ++this.#loads;
     this.#running?._slicecast_stop();
-    this.#running = this.canvas = null;
+    this.canvas?.removeEventListener?.('contextrestored', this.#drawAnew);
+    this.#running = this.#resting = this.canvas = null;
   }
 
   #json(at) {
@@ -569,8 +642,7 @@ function readInput(input) {
   }
   const axes = kAxes.map((name) => {
     const value = input[name] ?? 0;
-    if (!(Math.abs(value) <= 1))
-      throw misread('step', `${name} ${value}`, 'a number from -1 to 1');
+    if (!(Math.abs(value) <= 1)) throw misread('step', `${name} ${value}`, 'a number from -1 to 1');
     return value;
   });
   return [

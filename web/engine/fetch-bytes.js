@@ -31,12 +31,26 @@ export function askAnew() {
 
 // `total` is never below `loaded`: the length of a compressed answer is not known beforehand.
 export async function fetchBytes(address, onBytes = () => {}, most = kMostFileBytes) {
+  const { href, protocol } = new URL(address);
+  if (protocol === 'data:') return bytesIn(href);
   const bytes = await readBody(await fetchResponse(address), onBytes, most);
   if (!isPage(bytes)) return bytes;
   throw coded(
     'mime',
     'the server answers with a web page, as some servers do for unknown addresses',
   );
+}
+
+// The bytes of a data: address. Bundlers make such ones of small files, and a page's policy may
+// forbid to fetch them.
+function bytesIn(href) {
+  const [, base64, data] = /^[^,]*?(;base64)?,([^#]*)/i.exec(href) ?? [];
+  try {
+    const text = data.replace(/%([\da-f]{2})/gi, (_, code) => String.fromCharCode(`0x${code}`));
+    return Uint8Array.from(base64 ? atob(text) : text, (letter) => letter.charCodeAt(0));
+  } catch {
+    throw coded('fetch', 'the address is not valid');
+  }
 }
 
 // Returns the response with its body unread.
@@ -145,6 +159,11 @@ async function causeOf(address, { refused }) {
   // Ignores other addresses that the policy refuses meanwhile, for instance of trackers. For data:
   // and blob: addresses the browser reports only the protocol.
   const { href, origin, protocol } = new URL(address);
+  if (protocol === 'file:')
+    return coded(
+      'fetch',
+      'a page that was opened as a file may not read others; open it from a server, such as `npx serve`',
+    );
   const names = [href.replace(/#.*/s, ''), origin, protocol.slice(0, -1)];
   const isRefused = refused.some(
     (one) => one.directive === 'connect-src' && names.includes(one.address),

@@ -50,3 +50,8 @@ function changesBetween(one, other) {
   }
   return row[other.length];
 }
+
+// The error of a method that was called with something else.
+export function misread(method, found, expected) {
+  return new RangeError(`${method}: found ${found}, expected ${expected}.`);
+}

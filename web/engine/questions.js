@@ -8,7 +8,7 @@
 // Bad arguments throw a RangeError that says what was found and what is expected.
 
 import { withBytes, withStrings } from './module-memory.js';
-import { unknown } from './nearest-name.js';
+import { misread, unknown } from './nearest-name.js';
 import { readCast, readColumns, readHits, readPacked, readPick, readTrace } from './read-packed.js';
 
 const kColumnsAtOnce = 16; // a few hundred KB of the module's memory
@@ -199,8 +199,4 @@ function columnList(method, columns) {
       `a column, a list of columns, or { first, last } with whole numbers, both included, with at most ${kMostColumns} columns`,
     );
   return isList ? columns : Array.from({ length: last - first + 1 }, (_, index) => first + index);
-}
-
-export function misread(method, found, expected) {
-  return new RangeError(`${method}: found ${found}, expected ${expected}.`);
 }

@@ -44,6 +44,16 @@ export function placeOf(fault) {
   return fault.line > 0 ? `${fault.file}:${fault.line}:${fault.column}` : fault.file;
 }
 
+// A message with the list of faults, for those who read no `faults`.
+export function withList(message, faults) {
+  return [
+    message,
+    ...faults.map(
+      (fault) => `  ${placeOf(fault)}: found ${fault.found}, expected ${fault.expected}`,
+    ),
+  ].join('\n');
+}
+
 export function coded(code, message) {
   return Object.assign(new Error(message), { code });
 }

@@ -3,6 +3,7 @@
 //     const engine = await Engine.create({ files: await readEngine('auto') });
 
 import { chooseBuild } from '../engine/builds.js';
+import { Questions } from '../engine/questions.js';
 import { coded } from '../engine/trouble.js';
 import { kPackage, readAt } from './scene-files.js';
 
@@ -27,7 +28,7 @@ export async function readEngine(kind) {
 async function readBuild(kind) {
   const program = await readProgram(`slicecast-${kind}.wasm`);
   const later = kind === 'simd' ? await readProgram('slicecast-simd-later.wasm') : null;
-  return { kind, program, later: later && { program: later, load() {} } };
+  return { kind, program, later: later && { program: later, load() {} }, Questions };
 }
 
 async function readProgram(name) {

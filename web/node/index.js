@@ -12,7 +12,7 @@
 import { readView } from '../engine/address.js';
 import { Engine } from '../engine/engine.js';
 import { withReason } from '../engine/source-parts.js';
-import { placeOf } from '../engine/trouble.js';
+import { placeOf, withList } from '../engine/trouble.js';
 import { readEngine } from './engine-files.js';
 import { openScene } from './scene-files.js';
 
@@ -26,14 +26,7 @@ export class SceneError extends Error {
   name = 'SceneError';
 
   constructor(code, message, faults = []) {
-    super(
-      [
-        message,
-        ...faults.map(
-          (fault) => `  ${fault.place}: found ${fault.found}, expected ${fault.expected}`,
-        ),
-      ].join('\n'),
-    );
+    super(withList(message, faults));
     this.code = code;
     this.faults = faults;
   }

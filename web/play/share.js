@@ -20,6 +20,7 @@ export class ShareDialog {
       button.addEventListener('click', () => this.#copy(button));
     this.find('from-view').addEventListener('input', () => this.#write());
     this.find('save').addEventListener('click', () => this.#save());
+    this.find('preview').addEventListener('contextrestored', () => this.#preview().catch(() => {}));
   }
 
   open(caster, { reference }) {
@@ -49,6 +50,7 @@ export class ShareDialog {
     this.#say(null, '');
   }
 
+  // Also after a restart of the browser's graphics process, which leaves canvases black.
   async #preview() {
     const preview = this.find('preview');
     const { width, height } = this.#caster.picture;
