@@ -102,7 +102,7 @@ void drawProcessPanel(const ProcessFigures& process, const Picture& picture) {
     };
     const int slices = process.slicesPerPicture;
     const std::array<Row, kProcessPanelRows> rows = {
-        Row("picture", {picture.width, " x ", picture.height}),
+        Row("picture", {process.width, " x ", process.height}),
         process.times != nullptr ? Row("frames", Fixed{process.times->framesPerSecond, 1}, "/s")
                                  : Row("frames", "-"),
         milliseconds("steps", &ProcessTimes::stepMilliseconds),

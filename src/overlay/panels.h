@@ -41,6 +41,8 @@ struct ProcessTimes {
 };
 
 struct ProcessFigures {
+    int width = 0;  // of the whole picture, pixels
+    int height = 0;
     const ProcessTimes* times = nullptr;  // null without a clock
     const FrameReport* report = nullptr;  // null without counts
     double intensity = 0.0;               // of the light

@@ -45,12 +45,14 @@ struct SessionOptions {
     bool processPanel = false;
     bool inspector = false;    // marks one slice, and shows it from the side
     int inspectorColumn = -1;  // which slice; -1 for the middle one
-    bool grid = false;         // over the picture, in pixels
-    bool slow = false;         // the picture builds up slice by slice
-    int slowSlices = 1;        // slices added with each picture; -n adds one every n pictures
-    int drawnColumns = -1;     // slices drawn, from the left; -1 for all
-    double speed = 1.0;        // multiplies the player's moving speeds
-    bool bob = true;           // a swimmer's eye bobs with the water
+    double overlayTop = 0.0;   // shares of the picture's height that panels and map keep free
+    double overlayBottom = 0.0;
+    bool grid = false;      // over the picture, in pixels
+    bool slow = false;      // the picture builds up slice by slice
+    int slowSlices = 1;     // slices added with each picture; -n adds one every n pictures
+    int drawnColumns = -1;  // slices drawn, from the left; -1 for all
+    double speed = 1.0;     // multiplies the player's moving speeds
+    bool bob = true;        // a swimmer's eye bobs with the water
 };
 
 // All options, in the order of a list.

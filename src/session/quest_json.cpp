@@ -52,6 +52,7 @@ std::string gameJson(const Session& session) {
     json.endArray().key("hasGoal").yesNo(quest.goal.has_value());
     json.key("begun").yesNo(quest.hasBegun).key("reached").yesNo(quest.isReached);
     json.key("steps").number(static_cast<double>(quest.steps));
+    json.key("locked").text(session.lockedText());
     return json.key("seconds").number(questSeconds(quest)).endObject().str();
 }
 

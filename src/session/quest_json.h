@@ -4,8 +4,9 @@
 //     {"kind": "message", "find" or "goal", "text", "name" (of a find's kind), "finds" (taken),
 //      "of" (in the world), "seconds"}
 // gameJson: {"aim", "finds", "of", "kinds": [{"name", "finds", "of"}], "hasGoal", "begun",
-//     "reached", "steps", "seconds"}; null for a world without a game, finds and messages. Time
-//     runs from the first input to the goal.
+//     "reached", "steps", "locked" (what is missing at the locked gate within reach), "seconds"};
+//     null for a world without a game, finds and messages. Time runs from the first input to the
+//     goal.
 #pragma once
 
 #include <string>

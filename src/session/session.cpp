@@ -9,6 +9,7 @@
 #include "render/classic/draw_classic.h"
 #include "world/crowd.h"
 #include "world/map_entry.h"
+#include "world/water.h"
 #include "world/world_step.h"
 
 #include <algorithm>
@@ -65,6 +66,13 @@ double recordedLook(double look) {
 
 double groundSpeed(const Player& player) {
     return std::sqrt(player.velocityX * player.velocityX + player.velocityY * player.velocityY);
+}
+
+// The part of a picture without these shares of its height; at least one row.
+Picture rowsBetween(const Picture& picture, double top, double bottom) {
+    const int first = std::min(static_cast<int>(top * picture.height + 0.5), picture.height - 1);
+    const int end = picture.height - static_cast<int>(bottom * picture.height + 0.5);
+    return {picture.row(first), picture.width, std::max(end - first, 1), picture.pitch};
 }
 
 GateAsk askOf(const Player& player) {
@@ -200,6 +208,7 @@ bool Session::drawView(const Eye& seen, const Picture& picture, LightWork lightW
 void Session::drawOverlays(const Eye& seen, const Picture& picture) {
     const SessionOptions& o = options_;
     const RenderOptions render = renderOptions(o, picture.width, picture.height);
+    const Picture free = rowsBetween(picture, o.overlayTop, o.overlayBottom);
     if (o.drawnColumns >= 0) {
         drawColumns(picture, o.drawnColumns);
     } else if (o.slow) {
@@ -211,7 +220,7 @@ void Session::drawOverlays(const Eye& seen, const Picture& picture) {
         const SliceTrace slice =
             traceFrom(seen, {picture.width, picture.height, inspectedColumn(picture.width)});
         drawSliceLine(slice, picture);
-        drawSideView(slice, world_, seen, picture);
+        drawSideView(slice, world_, seen, free);
     }
     if (o.minimap) {
         const MinimapOptions minimap = {.level = o.minimapLevel,
@@ -221,7 +230,7 @@ void Session::drawOverlays(const Eye& seen, const Picture& picture) {
                                         .reach = o.minimapReach,
                                         .classicShare = classicShare(),
                                         .classic = o.classic};
-        minimap_.draw(world_, seen, minimap, picture);
+        minimap_.draw(world_, seen, minimap, free);
     }
     const Map& map = world_.maps[static_cast<std::size_t>(seen.map)];
     if (o.playerPanel) {
@@ -235,17 +244,19 @@ void Session::drawOverlays(const Eye& seen, const Picture& picture) {
                          .flying = player_.flying,
                          .swimming = player_.swimming,
                          .crouched = player_.crouched},
-                        picture);
+                        free);
     }
     if (o.processPanel) {
-        drawProcessPanel({.times = clock_.times(),
+        drawProcessPanel({.width = picture.width,
+                          .height = picture.height,
+                          .times = clock_.times(),
                           .report = &report(),
                           .intensity = map.light.intensity,
                           .multiplier = map.light.multiplier,
                           .mirrors = o.render.mirrors,
                           .slicesPerPicture = o.slowSlices,
                           .slow = o.slow},
-                         picture);
+                         free);
     }
 }
 
@@ -348,13 +359,21 @@ bool Session::setEye(const Eye& eye) {
     return true;
 }
 
-bool Session::goToMap(int map) {
-    if (map < 0 || static_cast<std::size_t>(map) >= world_.maps.size()) return false;
-    if (map == world_.start.map) {
-        reset();
-        return true;
+Landing Session::land() {
+    setFlying(false);
+    if (player_.flying) {
+        const MapEntry ground =
+            findGround(world_, player_.map, {player_.x, player_.y, eyeHeight(player_)});
+        return enter(player_.map, ground) && ground.stands ? Landing::moved : Landing::none;
     }
-    const MapEntry entry = findMapEntry(world_, map);
+    const Traveller body = travellerOf(player_);
+    const bool isNear = waterDepth(world_, body).raw > 0 ||
+                        sweepZ(world_, body, {-kStepHeight.raw}) > Coordinate{-kStepHeight.raw};
+    return isNear ? Landing::stands : Landing::falls;
+}
+
+// Faces the same way and looks level.
+bool Session::enter(int map, const MapEntry& entry) {
     const Coordinate eyeZ = entry.stands ? entry.feet + kStandingEye : entry.feet;
     if (!setEye({.map = map,
                  .x = entry.x,
@@ -364,6 +383,15 @@ bool Session::goToMap(int map) {
         return false;
     if (entry.stands) setFlying(false);
     return true;
+}
+
+bool Session::goToMap(int map) {
+    if (map < 0 || static_cast<std::size_t>(map) >= world_.maps.size()) return false;
+    if (map == world_.start.map) {
+        reset();
+        return true;
+    }
+    return enter(map, findMapEntry(world_, map));
 }
 
 std::string Session::setCell(const CellAt& at, std::string_view sign) {
@@ -405,6 +433,13 @@ void Session::optionChanged(std::string_view name) {
 
 std::string Session::option(std::string_view name) const {
     return optionValue(options_, name);
+}
+
+std::string Session::lockedText() const {
+    GateAsk ask = askOf(player_);
+    ask.wish = GateAsk::Wish::change;
+    const int gate = refusedGate(world_, ask, player_.map, bodyBox(player_));
+    return gate < 0 ? std::string() : refusal(world_, world_.gates[static_cast<std::size_t>(gate)]);
 }
 
 SessionState Session::state() const {

@@ -38,6 +38,8 @@
 
 namespace slicecast {
 
+struct MapEntry;
+
 // Facts about a game for panels, after the last step.
 struct SessionState {
     std::string title;  // of the world
@@ -57,6 +59,14 @@ struct SessionState {
     double intensity = 0.0;            // of the light in this map
     double multiplier = 0.0;           // units
     std::int64_t steps = 0;            // since the session began
+};
+
+// How a player landed.
+enum class Landing : std::uint8_t {
+    none,    // not at all: the map has no ground to stand on
+    stands,  // where the eye was; or swims there
+    falls,   // where the eye was, but the ground is deeper than a step
+    moved,   // on the nearest ground
 };
 
 class Session {
@@ -100,6 +110,10 @@ public:
     // and changes nothing if the eye would see nothing: no such map, at or below the floor, look
     // beyond kMaxLook, or a heading that is NaN or infinite.
     bool setEye(const Eye& eye);
+
+    // Ends flying where the eye is, if the body has room there. Else, as inside a block or outside
+    // the grid, moves the player to the nearest ground (see findGround).
+    Landing land();
 
     // Moves the player into a map: to the scene's start if it lies in that map, else to the place
     // that map_entry.h describes, with the same heading. The player stands, and walks if there is
@@ -146,6 +160,8 @@ public:
     const FrameReport& report() const { return report_; }
     std::int64_t steps() const { return steps_; }
     SessionState state() const;
+    // What a player is told who tries the locked gate within reach; empty without one.
+    std::string lockedText() const;
     // The eye that draw(picture, fraction) uses.
     Eye eye(double fraction = 1.0) const;
     // The eye of the last picture; after a step, with the same fraction.
@@ -168,6 +184,7 @@ public:
 private:
     GateAsk gateAsk(const Input& input);
     void stepAround(const GateAsk& ask);
+    bool enter(int map, const MapEntry& entry);
     void keepNews();
     bool drawView(const Eye& seen, const Picture& picture, LightWork lightWork);
     SliceTrace traceFrom(const Eye& seen, const ColumnRequest& request);

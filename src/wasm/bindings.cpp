@@ -479,6 +479,13 @@ EMSCRIPTEN_KEEPALIVE int32_t slicecast_setEye(SlicecastSession* session, int32_t
                : 0;
 }
 
+EMSCRIPTEN_KEEPALIVE int32_t slicecast_land(SlicecastSession* session) {
+    Session* game = session->game();
+    if (game == nullptr) return 0;
+    session->changed();
+    return static_cast<int32_t>(game->land());
+}
+
 EMSCRIPTEN_KEEPALIVE int32_t slicecast_goToMap(SlicecastSession* session, int32_t map) {
     Session* game = session->game();
     if (game == nullptr) return 0;

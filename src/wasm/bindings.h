@@ -225,6 +225,10 @@ int32_t slicecast_seekReplay(SlicecastSession* session, int32_t step);
 int32_t slicecast_setEye(SlicecastSession* session, int32_t map, double x, double y, double z,
                          double headingDegrees, double look);
 
+// Ends flying, or moves a player without room to the nearest ground: 0 if there is none, 1 if the
+// player now stands or swims where the eye was, 2 if they fall from there, 3 on the nearest ground.
+int32_t slicecast_land(SlicecastSession* session);
+
 // Moves the player into a map by its number: to the scene's start if it lies in that map, else to
 // the free tile nearest to the map's middle. 1 on success, 0 if there is no such map.
 int32_t slicecast_goToMap(SlicecastSession* session, int32_t map);

@@ -177,7 +177,10 @@ GateOffer gateOffer(const World& world, const GateAsk& ask) {
     for (const Gate& gate : world.gates) {
         const GateKind& kind = world.gateKinds[static_cast<std::size_t>(gate.kind)];
         if (!hears(gate, kind, ask)) continue;
-        if (!gate.wantsOpen) return GateOffer::open;
+        if (!gate.wantsOpen) {
+            if (kind.isLocked) continue;
+            return GateOffer::open;
+        }
         if (kind.once) continue;
         offer = GateOffer::close;
     }

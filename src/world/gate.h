@@ -109,7 +109,7 @@ std::vector<PlacingFault> makeGates(World& world);
 void makeGateFrames(World& world);
 
 // What the use key would do to the gates within reach; ignores ask.wish. `open` if it would open
-// any.
+// any. Locked gates do not count.
 enum class GateOffer : std::uint8_t { none, open, close };
 GateOffer gateOffer(const World& world, const GateAsk& ask);
 

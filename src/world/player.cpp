@@ -289,6 +289,19 @@ void bringBodyToEye(const World& world, Player& player, bool Player::*mode) {
     moveEyeTo(world, player, {});
 }
 
+// Frees a body whose lower part is in something, if the eye is above that. A function of its own,
+// because few need it: pages load it later.
+__attribute__((noinline)) bool riseAroundEye(const World& world, Player& player) {
+    Player risen = player;
+    const Coordinate up = leastRise(world, player.map, bodyBox(player), kCrouchedEye - kLowestEye)
+                              .value_or(Coordinate{});
+    risen.z = player.z + up;
+    risen.eyeLag = player.eyeLag - up;
+    if (!isFree(world, travellerOf(risen))) return false;
+    player = risen;
+    return true;
+}
+
 // Ends flying or swimming: extends the legs by at most `mostLegs`, as far as there is room, and
 // crouches if the player cannot stand there. The eye stays where it is.
 void standUp(const World& world, Player& player, Coordinate mostLegs) {
@@ -481,7 +494,7 @@ void setFlying(const World& world, Player& player, bool flying) {
         player.velocityZ = 0.0;
         return;
     }
-    if (!isFreeNow) return;
+    if (!isFreeNow && !riseAroundEye(world, player)) return;
     bringBodyToEye(world, player, &Player::flying);
     standUp(world, player, kEyeDrop);
 }

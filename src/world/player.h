@@ -175,7 +175,8 @@ void stepPlayer(const World& world, Player& player, const PlayerInput& input);
 // Moves the body sideways, as far as there is room; its velocity stays.
 void nudge(const World& world, Player& player, Coordinate x, Coordinate y);
 
-// Changes the mode; the eye stays where it is. A body that is not free keeps flying.
+// Changes the mode; the eye stays where it is. To walk, a body that is not free rises around the
+// eye, which may have been low on a step; where that does not free it, it keeps flying.
 void setFlying(const World& world, Player& player, bool flying);
 
 // Looks level; a flying player also comes down until the eye is at standing height above the

@@ -90,11 +90,8 @@ void tellRefusals(World& world, const GateAsk& ask, int map, const Box& body) {
     const int before = quest.refusedGate;
     quest.refusedGate = refusedGate(world, ask, map, body);
     if (quest.refusedGate < 0 || (quest.refusedGate == before && !isAsked)) return;
-    const Gate& gate = world.gates[static_cast<std::size_t>(quest.refusedGate)];
-    const GateKind& kind = world.gateKinds[static_cast<std::size_t>(gate.kind)];
     tell(quest, QuestNews::Kind::message,
-         kind.locked.empty() ? words("Still missing: ", missing(quest, kind.needs), ".")
-                             : kind.locked);
+         refusal(world, world.gates[static_cast<std::size_t>(quest.refusedGate)]));
 }
 
 void checkGoal(Quest& quest, const Player& player) {
@@ -131,6 +128,12 @@ std::string missing(const Quest& quest, const Needs& needs) {
     for (std::size_t i = 0; i < parts.size(); ++i)
         add(text, {i == 0 ? "" : i + 1 == parts.size() ? " and " : ", ", parts[i]});
     return text;
+}
+
+std::string refusal(const World& world, const Gate& gate) {
+    const GateKind& kind = world.gateKinds[static_cast<std::size_t>(gate.kind)];
+    return kind.locked.empty() ? words("Still missing: ", missing(world.quest, kind.needs), ".")
+                               : kind.locked;
 }
 
 void startQuest(World& world) {

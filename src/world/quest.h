@@ -23,6 +23,7 @@
 namespace slicecast {
 
 class Hash;
+struct Gate;
 struct GateAsk;
 struct Player;
 struct World;
@@ -116,6 +117,9 @@ bool holds(const Quest& quest, const Needs& needs);
 
 // What is missing: "2 more finds", "shell and feather".
 std::string missing(const Quest& quest, const Needs& needs);
+
+// What a player is told at a gate that stays locked: its own message, or what is missing.
+std::string refusal(const World& world, const Gate& gate);
 
 void startQuest(World& world);
 

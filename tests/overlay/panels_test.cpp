@@ -121,7 +121,9 @@ TEST(Panels, TheProcessPanelShowsTimesAndCounts) {
                                 .rowsFilled = 256001};
     const OverlayLayout layout = layoutOverlays(640, 400);
     Canvas canvas(640, 400);
-    drawProcessPanel({.times = &times,
+    drawProcessPanel({.width = 640,
+                      .height = 400,
+                      .times = &times,
                       .report = &report,
                       .intensity = 1.5,
                       .multiplier = 5.0,
@@ -151,7 +153,8 @@ TEST(Panels, TheProcessPanelShowsTimesAndCounts) {
                            {"1 in 3", "frames"}});
 
     Canvas without(640, 400);
-    drawProcessPanel({.intensity = 0.5, .multiplier = 10.0}, without.picture);
+    drawProcessPanel({.width = 640, .height = 400, .intensity = 0.5, .multiplier = 10.0},
+                     without.picture);
     std::vector<Value> values(kProcessPanelRows, Value{"-"});
     values[0] = {"640 x 400"};
     values[14] = {"0.50 x 10.0"};
@@ -173,7 +176,7 @@ TEST(Panels, LargeCountsAreNotCut) {
                                 .rowsFilled = kGreat};
     const OverlayLayout layout = layoutOverlays(640, 400);
     Canvas canvas(640, 400);
-    drawProcessPanel({.report = &report}, canvas.picture);
+    drawProcessPanel({.width = 640, .height = 400, .report = &report}, canvas.picture);
     std::vector<Value> values(kProcessPanelRows, Value{std::to_string(kGreat)});
     for (int i = 0; i < 5; ++i) values[static_cast<std::size_t>(i)] = {"-"};
     values[0] = {"640 x 400"};
@@ -189,7 +192,7 @@ TEST(Panels, TheProcessPanelShowsTheRowsThatFit) {
     EXPECT_GE(layout.processRows, 6);
     EXPECT_LT(layout.processRows, kProcessPanelRows);
     Canvas canvas(320, 200);
-    drawProcessPanel({.mirrors = 2.0}, canvas.picture);
+    drawProcessPanel({.width = 320, .height = 200, .mirrors = 2.0}, canvas.picture);
     std::vector<Value> values(static_cast<std::size_t>(layout.processRows), Value{"-"});
     values[0] = {"320 x 200"};
     expectValues(canvas, layout.process, 1, values);

@@ -8,7 +8,9 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
+#include <cstddef>
 #include <limits>
 #include <utility>
 #include <vector>
@@ -486,6 +488,77 @@ TEST(Session, AClockChangesNothingButTheProcessPanel) {
     EXPECT_EQ(with.fingerprint(), without.fingerprint());
     for (Session* session : {&with, &without}) session->setOption("processPanel", "on");
     EXPECT_NE(drawn(with, 1.0, 640, 400).pixels, drawn(without, 1.0, 640, 400).pixels);
+}
+
+Eye eyeAt(double x, double y, double z) {
+    return {.map = 0, .x = toCoordinate(x), .y = toCoordinate(y), .z = toCoordinate(z)};
+}
+
+TEST(Session, LandsWhereTheEyeIs) {
+    Session session(yards());
+    for (const auto& [z, landing] :
+         {std::pair{0.5, Landing::stands}, std::pair{0.50043, Landing::stands},
+          std::pair{0.9, Landing::stands}, std::pair{1.6, Landing::falls}}) {
+        ASSERT_TRUE(session.setEye(eyeAt(3.25, 5.5, z)));
+        EXPECT_EQ(session.land(), landing) << z;
+        EXPECT_FALSE(session.player().flying) << z;
+        EXPECT_EQ(session.eye().z, toCoordinate(z)) << z;
+    }
+}
+
+// Someone has just stepped onto the half block: the eye is still low.
+TEST(Session, LandsOnAStepWithALowEye) {
+    Session session(yards());
+    ASSERT_TRUE(session.setEye(eyeAt(6.5, 4.5, 0.6)));
+    EXPECT_EQ(session.land(), Landing::stands);
+    EXPECT_EQ(session.eye().z, toCoordinate(0.6));
+    EXPECT_EQ(session.state().feet, 0.5);
+    for (int step = 0; step < 240; ++step) session.step({});
+    EXPECT_EQ(session.state().z, 1.0);
+    EXPECT_FALSE(session.player().flying);
+}
+
+TEST(Session, LandsOnTheNearestGround) {
+    Session session(yards());
+    for (const Eye& eye : {eyeAt(-40.0, 4.5, 0.5), eyeAt(0.5, 4.5, 0.5), eyeAt(3.5, 4.5, 900.0)}) {
+        ASSERT_TRUE(session.setEye(eye));
+        EXPECT_EQ(session.land(), Landing::moved);
+        const SessionState state = session.state();
+        EXPECT_FALSE(state.flying);
+        EXPECT_EQ(state.z - state.feet, 0.5);
+        for (int step = 0; step < 24; ++step) session.step({});
+        EXPECT_EQ(session.state().z, state.z);
+    }
+}
+
+TEST(Session, KeepsPartsOfThePictureFreeOfPanels) {
+    Session session(yards());
+    Image plain(400, 300);
+    Image shown(400, 300);
+    session.draw({plain.pixels.data(), 400, 300, 400});
+    for (const char* name : {"minimap", "playerPanel", "processPanel"})
+        session.setOption(name, "on");
+    session.setOption("overlayTop", "0.2");
+    session.setOption("overlayBottom", "0.1");
+    session.draw({shown.pixels.data(), 400, 300, 400});
+    int first = 300;
+    int last = -1;
+    for (int y = 0; y < 300; ++y) {
+        const auto row = static_cast<std::ptrdiff_t>(y) * 400;
+        if (std::equal(plain.pixels.begin() + row, plain.pixels.begin() + row + 400,
+                       shown.pixels.begin() + row))
+            continue;
+        first = std::min(first, y);
+        last = y;
+    }
+    EXPECT_GE(first, 60);
+    EXPECT_LT(first, 70);
+    EXPECT_LT(last, 270);
+    EXPECT_GT(last, 150);
+    session.setOption("overlayTop", "1");
+    session.setOption("overlayBottom", "1");
+    EXPECT_TRUE(session.draw({shown.pixels.data(), 400, 300, 400}));
+    EXPECT_EQ(shown.pixels, plain.pixels);
 }
 
 }  // namespace

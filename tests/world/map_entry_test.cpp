@@ -1,5 +1,6 @@
 #include "world/map_entry.h"
 
+#include "world/portal.h"
 #include "world/world.h"
 #include "world_builder.h"
 
@@ -69,6 +70,31 @@ TEST(MapEntry, IsInTheAirIfNobodyCanStand) {
     EXPECT_FALSE(entry.stands);
     EXPECT_EQ(entry.x.value(), 3.5);
     EXPECT_EQ(entry.feet.value(), 3.0) << "above both levels";
+}
+
+void expectGround(const World& world, const Position& eye, double x, double y, double feet) {
+    const MapEntry entry = findGround(world, 0, eye);
+    EXPECT_TRUE(entry.stands);
+    EXPECT_EQ(entry.x.value(), x);
+    EXPECT_EQ(entry.y.value(), y);
+    EXPECT_EQ(entry.feet.value(), feet);
+}
+
+TEST(Ground, IsInTheNearestTile) {
+    World world = emptyMap();
+    const auto eyeAt = [](double x, double y, double z) {
+        return Position{toCoordinate(x), toCoordinate(y), toCoordinate(z)};
+    };
+    expectGround(world, eyeAt(5.2, 1.9, 0.5), 5.5, 1.5, 0.0);
+    expectGround(world, eyeAt(-20.0, 3.1, 0.5), 0.5, 3.5, 0.0);
+    expectGround(world, eyeAt(900.0, 900.0, 30.0), 6.5, 6.5, 0.0);
+    // On a wall or below a bridge, whichever is nearer
+    world.maps[0].setCell(5, 1, 0, 1);
+    expectGround(world, eyeAt(5.2, 1.9, 0.5), 5.5, 1.5, 1.0);
+    world.maps[0].setCell(5, 1, 0, kEmptyCell);
+    world.maps[0].setCell(5, 1, 1, 2);
+    expectGround(world, eyeAt(5.2, 1.9, 0.7), 5.5, 1.5, 0.0);
+    expectGround(world, eyeAt(5.2, 1.9, 1.8), 5.5, 1.5, 1.5);
 }
 
 }  // namespace

@@ -253,6 +253,8 @@ TEST(Needs, KeepAGateShutUntilTheyAreMet) {
     ASSERT_EQ(stage.news.size(), 1u);
     EXPECT_EQ(stage.news[0].kind, Kind::message);
     EXPECT_EQ(stage.news[0].text, "Still missing: 1 more find.");
+    EXPECT_EQ(refusal(stage.world, stage.world.gates[0]), stage.news[0].text);
+    EXPECT_EQ(gateOffer(stage.world, asks(stage.player, Wish::nothing)), GateOffer::none);
     stage.stepFor(1.0);
     EXPECT_EQ(stage.world.gates[0].progress, 0);
     EXPECT_EQ(stage.news.size(), 1u);

@@ -222,6 +222,10 @@ export class RayCaster extends Base {
     return this.#engine('look').look(readView(view));
   }
 
+  land() {
+    return this.#engine('land').land();
+  }
+
   timeDrawing(size) {
     const engine = this.#engine('timeDrawing');
     const { width, height } = checkSize('timeDrawing', size ?? this.picture);

@@ -18,7 +18,7 @@ export function buildTree(root) {
     loading: 'lazy',
     hidden: '',
   });
-  const hint = node('span', { class: 'hint', 'aria-hidden': 'true' });
+  const hint = node('span', { class: 'hint', part: 'hint', 'aria-hidden': 'true' });
   const cover = node(
     'button',
     { class: 'cover', type: 'button' },

@@ -23,6 +23,7 @@ const kMostSteps = 120 * 3600; // per call: an hour of the world's time
 const kTextShare = 0.1;
 const kFilesShare = 0.8;
 const kAdoptedSlack = 16 << 20; // bytes that playing may add to the scene: picture and view tables
+const kLandings = ['none', 'stands', 'falls', 'moved']; // as in src/session/session.h
 const kButtons = { jump: 1, fast: 2, slow: 4, use: 8, open: 16, close: 32 };
 
 export class Engine {
@@ -355,6 +356,12 @@ export class Engine {
     );
     if (changes.map !== undefined) changes.map = this.#mapNames.indexOf(changes.map);
     return this.restore({ ...state, ...changes, flying });
+  }
+
+  // Ends flying where the eye is, or on the nearest ground if there is no room: 'stands' (or swims)
+  // or 'falls' there, 'moved', or 'none' in a map without ground.
+  land() {
+    return kLandings[this.#module._slicecast_land(this.#session)];
   }
 
   // Draws changes already in the frame that began at that time, not in the next one.
