@@ -182,7 +182,7 @@ test('the link leads somebody else to the very same picture', async (t) => {
   const link = await page.inputValue('#share-link');
   assert.match(
     link.slice(server.address.length),
-    /^\?scene=other&view=2\.123,4\.7,0\.5,33\.25,-0\.1,room&options=textures=off\+hazeColour=%23a0b4c8&overlay=playerPanel$/,
+    /^\?scene=other&view=walk,2\.123,4\.7,0\.5,33\.25,-0\.1,room&options=textures=off\+hazeColour=%23a0b4c8&overlay=playerPanel$/,
   );
   const other = await openPage(t, browser, {});
   await other.page.goto(link);
@@ -206,6 +206,132 @@ test('a view from the air stays in the air, one from the ground on the ground', 
   await page.goto(`${server.address}?scene=room&view=3.5,3.5,0.5,0`);
   await inState(page, 'paused');
   assert.equal((await player(page)).flying, false);
+});
+
+const steppedRoom = () => {
+  const scene = roomScene({ title: 'A step and a pool' });
+  scene.blueprints.step = { top: 0.5, faces: 'grey' };
+  scene.blueprints.pool = { water: true, faces: 'blue' };
+  Object.assign(scene.legend, { s: 'step', w: 'pool' });
+  const wall = '#######';
+  scene.maps[0].levels = [
+    [wall, '#....s#', '#....s#', '#....s#', '#..www#', '#..www#', wall],
+    ['.......', '.......', '.......', '.......', '...www.', '...www.', '.......'],
+  ];
+  return { 'scenes/stepped.json': JSON.stringify(scene) };
+};
+const settled = async (page) => {
+  const { steps } = await player(page);
+  return untilPlayer(page, (now, before) => now.steps > before + 120, steps);
+};
+
+test('a link gives the state that was shared: on a step, in water, in the air, and of today', async (t) => {
+  const { page, server } = await openScene(t, browser, {
+    query: '?scene=stepped',
+    server: { files: steppedRoom() },
+  });
+  const open = async (view) => {
+    await page.goto(`${server.address}?scene=stepped&view=${view}`);
+    await inState(page, 'paused');
+  };
+  const link = async () => {
+    await openShare(page);
+    const view = new URL(await page.inputValue('#share-link')).searchParams.get('view');
+    await page.click('#share [data-close]');
+    return view;
+  };
+  for (const [view, shared, state] of [
+    // While the eye still follows the body up a step, and down
+    ['walk,5.5,2.5,0.60043,0', /^walk,5\.5,2\.5,0\.60043,/, { flying: false, z: 1 }],
+    ['walk,2.5,2.5,0.7003,0', /^walk,2\.5,2\.5,0\.7003,/, { flying: false, z: 0.5 }],
+    ['walk,4.5,4.8,2.12,0', /^walk,4\.5,4\.8,2\.12,/, { flying: false, swimming: true }],
+    ['fly,2.5,2.5,0.9,0', /^fly,2\.5,2\.5,0\.9,/, { flying: true, z: 0.9 }],
+    ['fly,2.5,2.5,2.5,0', /^fly,2\.5,2\.5,2\.5,/, { flying: true, z: 2.5 }],
+    // Links that do not say it
+    ['2.5,2.5,0.50043,0', /^walk,2\.5,2\.5,0\.50043,/, { flying: false, z: 0.5 }],
+    ['2.5,2.5,2.5,0', /^fly,2\.5,2\.5,2\.5,/, { flying: true, z: 2.5 }],
+  ]) {
+    await open(view);
+    assert.match(await link(), shared, view);
+    assert.equal(await page.isVisible('#address-problems'), false, view);
+    await play(page);
+    const now = await settled(page);
+    for (const [name, value] of Object.entries(state)) {
+      const isSame = name === 'z' ? Math.abs(now.z - value) < 1e-4 : now[name] === value;
+      assert.ok(isSame, `${view}: ${name} ${now[name]}, expected ${value}`);
+    }
+  }
+});
+
+test('a link into the void or into a wall lands on the nearest ground, and says so', async (t) => {
+  const { page, server } = await openScene(t, browser, { query: '?scene=room' });
+  for (const [view, x, y] of [
+    ['fly,500,3.2,0.5,0', 6.5, 3.5],
+    ['walk,0.4,3.2,0.5,0', 0.5, 3.5],
+    ['3.4,3.4,-2,0', 3.5, 3.5],
+    ['fly,3.4,3.4,900,0', 3.5, 3.5],
+  ]) {
+    await page.goto(`${server.address}?scene=room&view=${view}`);
+    await inState(page, 'paused');
+    await page.waitForSelector('#address-problems', { state: 'visible' });
+    assert.match(
+      await page.innerText('#address-problems'),
+      /You stand on the nearest ground/,
+      view,
+    );
+    await play(page);
+    const now = await settled(page);
+    assert.deepEqual([now.x, now.y, now.flying], [x, y, false], view);
+    await page.keyboard.down('KeyW');
+    const { steps } = now;
+    const after = await untilPlayer(page, (state, before) => state.steps > before + 400, steps);
+    await page.keyboard.up('KeyW');
+    assert.ok(after.x <= 7 && after.y <= 7, 'still in the world');
+  }
+});
+
+test('a link names only options that differ and are seen', async (t) => {
+  const { page } = await openScene(t, browser, { query: '?scene=room' });
+  const options = async (changes) => {
+    await page.evaluate((all) => {
+      for (const [name, value] of all) window.slicecast.set(name, value);
+    }, changes);
+    await openShare(page);
+    const { searchParams } = new URL(await page.inputValue('#share-link'));
+    await page.click('#share [data-close]');
+    return [searchParams.get('options'), searchParams.get('overlay')];
+  };
+  assert.deepEqual(
+    await options([
+      ['speed', '2'],
+      ['bob', 'off'],
+      ['minimapReach', '5'],
+      ['minimapRays', 'on'],
+      ['inspectorColumn', '7'],
+      ['classic.march', 'on'],
+    ]),
+    [null, null],
+  );
+  assert.deepEqual(
+    await options([
+      ['minimap', 'on'],
+      ['compare', '0.5'],
+      ['light', 'off'],
+      ['intensity', '2'],
+    ]),
+    ['light=off minimapReach=5 compare=0.5 classic.march=on', 'minimap minimapRays'],
+  );
+});
+
+test('the picture of a view has its full size, also while the automatic size is smaller', async (t) => {
+  const { page } = await openScene(t, browser);
+  await page.evaluate(() => {
+    const { slicecast } = window;
+    Object.defineProperty(slicecast, 'picture', { get: () => ({ width: 320, height: 180 }) });
+  });
+  await openShare(page);
+  const [download] = await Promise.all([page.waitForEvent('download'), page.click('#share-save')]);
+  assert.equal(download.suggestedFilename(), 'room-640x360.png');
 });
 
 test('tag and frame work with any title', async (t) => {
@@ -232,14 +358,14 @@ test('tag and frame work with any title', async (t) => {
   assert.deepEqual(parsed.script, { type: 'module', src: `${server.address}ray-caster.js` });
   assert.deepEqual(parsed.tag, {
     scene: `${server.address}scenes/room.json`,
-    view: '3.5,3.5,0.5,0,0,room',
+    view: 'walk,3.5,3.5,0.5,0,0,room',
     options: 'fov=75',
     label: title,
     controls: '',
   });
   assert.equal(
     parsed.frame.src,
-    `${server.address}embed.html?scene=room&view=3.5,3.5,0.5,0,0,room&options=fov=75`,
+    `${server.address}embed.html?scene=room&view=walk,3.5,3.5,0.5,0,0,room&options=fov=75`,
   );
   assert.equal(parsed.frame.title, title);
 });

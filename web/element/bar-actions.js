@@ -60,7 +60,7 @@ async function share(host, show) {
   for (const name of ['id', 'tour']) tag.removeAttribute(name);
   const { view, options, overlay } = sharedParameters({
     reference: '',
-    view: host.currentView,
+    view: { ...host.currentView, flying: host.flying },
     options: host.optionList,
   });
   for (const [name, value] of Object.entries({ view, options, overlay })) {

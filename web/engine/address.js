@@ -1,8 +1,9 @@
 // Reads and writes views and options as attributes and addresses spell them.
 //
-//     view      x,y,z,heading[,look[,map]]
+//     view      [walk,|fly,]x,y,z,heading[,look[,map]]
 //               units; degrees (0 = east, 90 = south); look in screen heights; a map's name, which
-//               may hold commas. Without a name: the map of the start.
+//               may hold commas. Without a name: the map of the start. The word before it says
+//               whether the player walks or swims, or flies.
 //     options   name=value name=value ...
 //               the engine's options; names and values hold neither blanks nor commas
 //     overlay   minimap grid ...
@@ -29,9 +30,11 @@ const kSwitches = { '': 'on', true: 'on', false: 'off' };
 // src/base/coordinate.h, the look as in src/render/options.h.
 const kViewLimits = { x: 32767, y: 32767, z: 32767, heading: Infinity, look: 4 };
 
-// Returns {x, y, z, heading, look, map}; map is null if none is named. Throws a Trouble.
+// Returns {x, y, z, heading, look, map}, and {flying} if the view says so; map is null if none is
+// named. Throws a Trouble.
 export function parseView(text, standardLook = 0) {
-  const parts = text.split(',');
+  const [, mode, place] = /^(?:(walk|fly),)?([^]*)/.exec(text);
+  const parts = place.split(',');
   const numbers = parts.slice(0, 5).map((part) => (part.trim() === '' ? NaN : Number(part)));
   if (parts.length < 4 || !numbers.every(Number.isFinite)) {
     throw misread(
@@ -42,7 +45,8 @@ export function parseView(text, standardLook = 0) {
     (name, index) => index < numbers.length && checkNumber('view', name, numbers[index]),
   );
   const [x, y, z, heading, look = standardLook] = numbers;
-  return { x, y, z, heading, look, map: parts.slice(5).join(',').trim() || null };
+  const map = parts.slice(5).join(',').trim() || null;
+  return { x, y, z, heading, look, map, ...(mode && { flying: mode === 'fly' }) };
 }
 
 // Reads what look() takes: a view as text, or an object with any of its fields and `walk` or `fly`.
@@ -89,12 +93,13 @@ function misread(message) {
 }
 
 // Writes an engine's state; reading the text again gives exactly the same eye.
-export function formatView({ x, y, z, heading, look, map = null }) {
+export function formatView({ x, y, z, heading, look, map = null, flying }) {
   const numbers = [
     ...[x, y, z].map(shortest),
     ...[heading, look ?? 0].map((number) => String(Number(number.toFixed(5)))),
   ];
-  return [...numbers, ...(map === null ? [] : [map])].join(',');
+  const mode = flying === undefined ? [] : [flying ? 'fly' : 'walk'];
+  return [...mode, ...numbers, ...(map === null ? [] : [map])].join(',');
 }
 
 // Coordinates are multiples of 1/65536 unit. Writes the fewest decimals that tell this one from the

@@ -3,6 +3,7 @@
 //
 //     const problems = new AddressProblems(box, caster);
 //     problems.begin(parameters);       of a new address; clears the list
+//     problems.add('view', message);
 //     nearOf(parameters, scenes)        the scene or tour that was probably meant:
 //                                       {name, message, query}, or null
 
@@ -24,7 +25,7 @@ export class AddressProblems {
     box.querySelector('button').addEventListener('click', () => this.#clear());
     caster.addEventListener('enterchange', () => caster.entered && this.#clear());
     caster.addEventListener('warning', ({ detail: { attribute, message } }) => {
-      if (this.#named.has(attribute)) this.#add(attribute, message);
+      if (this.#named.has(attribute)) this.add(attribute, message);
     });
   }
 
@@ -34,11 +35,11 @@ export class AddressProblems {
     for (const [name, value] of parameters) {
       if (!kKnown.includes(name)) {
         // Other parameters may belong to somebody else.
-        if (nearestName(name, kKnown) !== null) this.#add(name, unknown('name', name, kKnown));
+        if (nearestName(name, kKnown) !== null) this.add(name, unknown('name', name, kKnown));
       } else if (value === '' && ['scene', 'tour', 'view'].includes(name)) {
-        this.#add(name, `Found nothing, expected ${name}=${this.#example(name)}.`);
+        this.add(name, `Found nothing, expected ${name}=${this.#example(name)}.`);
       } else if (name === 'live' && value !== '1') {
-        this.#add(name, `Found '${value}', expected live=1.`);
+        this.add(name, `Found '${value}', expected live=1.`);
       }
     }
   }
@@ -47,7 +48,7 @@ export class AddressProblems {
     return name === 'view' ? '4.5,2,0.5,90: x, y, height and heading' : 'castle or another name';
   }
 
-  #add(name, message) {
+  add(name, message) {
     const line = document.createElement('li');
     const place = document.createElement('code');
     place.textContent = name;

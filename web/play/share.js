@@ -4,6 +4,8 @@
 //     share.open(caster, address);        address.reference is null if the scene has no address
 
 import { sceneAddress } from './scene-list.js';
+import { seenOptions } from './seen-options.js';
+import { fullSize } from './size-now.js';
 import { frameFor, linkTo, sharedParameters, tagFor } from '../element/share-links.js';
 import { saveFile } from '../element/save-file.js';
 
@@ -26,10 +28,10 @@ export class ShareDialog {
   open(caster, { reference }) {
     this.#caster = caster;
     this.#reference = reference;
-    const { width, height } = caster.picture;
+    const { width, height } = fullSize(caster);
     const own = this.find('size').options[0];
     own.value = `${width}x${height}`;
-    own.textContent = `As shown, ${width} × ${height}`;
+    own.textContent = `Full size, ${width} × ${height}`;
     this.find('addresses').hidden = reference === null;
     this.find('no-address').hidden = reference !== null;
     if (reference !== null) this.#write();
@@ -42,8 +44,9 @@ export class ShareDialog {
     const reference = this.#reference;
     const base = new URL('.', document.baseURI).href;
     const label = caster.world.title;
-    const view = this.find('from-view').checked ? caster.currentView : null;
-    const shared = sharedParameters({ reference, view, options: caster.optionList });
+    const { currentView, flying } = caster;
+    const view = this.find('from-view').checked ? { ...currentView, flying } : null;
+    const shared = sharedParameters({ reference, view, options: seenOptions(caster.optionList) });
     this.find('link').value = linkTo(shared, base);
     this.find('tag').value = tagFor(shared, { base, scene: sceneAddress(reference).href, label });
     this.find('frame').value = frameFor(shared, { base, label });

@@ -1,6 +1,9 @@
 // Shows the picture's size now and, if it differs, the size that it last had in motion.
 //
 //     showSize(caster, output);
+//     fullSize(caster)              {width, height} at rest
+
+const kLargestSide = 4096; // pixels, as in the engine
 
 export function showSize(caster, output) {
   let moving = null; // {width, height}
@@ -18,6 +21,17 @@ export function showSize(caster, output) {
     moving = null;
     show();
   });
+}
+
+// The picture's size at rest: the automatic size draws fewer pixels in motion.
+export function fullSize({ size, picture, clientWidth, clientHeight }) {
+  if (size !== 'auto') return picture;
+  const ratio = window.devicePixelRatio || 1;
+  const scale = Math.min(ratio, kLargestSide / Math.max(clientWidth, clientHeight));
+  return {
+    width: Math.max(1, Math.round(clientWidth * scale)),
+    height: Math.max(1, Math.round(clientHeight * scale)),
+  };
 }
 
 // Adds the share of the screen's pixels across if the picture has the shape of its box.

@@ -8,22 +8,26 @@
 //     options.set('fov', 90);           a setting
 //     options.takeFromKeys();           updates the settings with changes by keys
 
-import { formatOptions, parseOptions } from '../engine/address.js';
+import { formatOptions, formatView, parseOptions, parseView } from '../engine/address.js';
+import { isOfView } from './seen-options.js';
 
 const kOverriding = ['view', 'options', 'overlay'];
-const kFall = 1 / 65536; // units; without ground, a step falls by at least this
+const kJustAbove = 1 / 4096; // units: the eye must be above the floor
 
 export class ViewOptions {
   #caster;
   #settings;
+  #warn;
   #wanted = new Map();
   #isOverridden = false;
   #unread = ''; // options of the address that cannot be parsed; the element reports them
   #view = null; // of the address, until the scene is ready
 
-  constructor(caster, settings) {
+  // `warn` gets a sentence about the address's view.
+  constructor(caster, settings, warn) {
     this.#caster = caster;
     this.#settings = settings;
+    this.#warn = warn;
     caster.addEventListener('ready', () => this.#lookFrom());
   }
 
@@ -33,7 +37,8 @@ export class ViewOptions {
     this.#unread = '';
     if (overrides || this.#isOverridden) {
       const { optionList } = this.#caster;
-      this.#wanted = new Map(optionList.map(({ name, standard }) => [name, standard]));
+      const ofViews = optionList.filter(({ name }) => isOfView(name));
+      this.#wanted = new Map(ofViews.map(({ name, standard }) => [name, standard]));
     }
     if (overrides) this.#override(parameters.get('options') ?? '');
     else {
@@ -70,16 +75,38 @@ export class ViewOptions {
     this.#caster.options = `${formatOptions([...this.#wanted])} ${this.#unread}`.trim();
   }
 
-  // A view from the air starts flying: one step shows whether there is ground below.
+  // Walks or flies as the view says; a view of old links, which does not, flies if the ground is
+  // far below. Where nobody has room, the player stands on the nearest ground.
   #lookFrom() {
     const text = this.#view;
+    const view = readable(text);
     this.#view = null;
-    if (text === null) return;
     const caster = this.#caster;
-    const before = caster.currentView;
-    caster.step(1);
-    const falls = caster.currentView.z < before.z - kFall;
-    caster.look(before);
-    if (falls) caster.flying = true;
+    if (view === null) return;
+    if (!caster.look(text) && !caster.look(formatView({ ...view, z: kJustAbove }))) return;
+    const landing = caster.land();
+    if (landing === 'stands' || landing === 'falls')
+      caster.flying = view.flying ?? landing === 'falls';
+    else this.#tellMoved(view, landing);
+  }
+
+  #tellMoved({ x, y, z }, landing) {
+    const { currentView } = this.#caster;
+    const at = [currentView.x, currentView.y, currentView.z].map((number) => number.toFixed(1));
+    this.#warn(
+      `There is no room for the player at ${x}, ${y}, ${z}. ` +
+        (landing === 'none'
+          ? 'This map has no ground to stand on.'
+          : `You stand on the nearest ground, at ${at.join(', ')}.`),
+    );
+  }
+}
+
+// Null without a view, or for one that the element reports.
+function readable(text) {
+  try {
+    return text === null ? null : parseView(text);
+  } catch {
+    return null;
   }
 }
