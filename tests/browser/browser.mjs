@@ -132,8 +132,9 @@ export function inState(page, state) {
   return page.waitForFunction((wanted) => document.body.dataset.state === wanted, state);
 }
 
+// By the key, as the mouse would be captured too.
 export async function play(page) {
-  await page.click('#play');
+  await page.press('#play', 'Enter');
   await inState(page, 'playing');
 }
 

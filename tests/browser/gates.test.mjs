@@ -14,10 +14,10 @@ before(async () => {
 after(() => browser.close());
 
 // The room with a gate across it, right before the player, who looks at it.
-function files() {
+function files(needs = {}) {
   const scene = roomScene({ title: 'A room with a gate' });
   scene.textures.gate = { file: 'pictures/gate.png', frames: 2 };
-  scene.blueprints.gate = { faces: 'gate', gate: { seconds: 0.25, reach: 1 } };
+  scene.blueprints.gate = { faces: 'gate', gate: { seconds: 0.25, reach: 1, ...needs } };
   scene.legend.g = 'gate';
   scene.maps[0].levels[0] = scene.maps[0].levels[0].map((row) =>
     row === '#######' ? row : '#...g.#',
@@ -80,4 +80,32 @@ test('a thumb opens the gate; without gates there is no such button', async (t) 
   await touch('touchMove', { id: 1, x: 90, y: 530 });
   await untilPlayer(page, (state) => state.x > 5.2);
   await touch('touchEnd');
+});
+
+test('a locked gate says what is missing, and no key; hints at gates end by themselves', async (t) => {
+  const locked = files({ needs: 'brass key' });
+  const scene = JSON.parse(locked['scenes/room.json']);
+  scene.sprites = { key: 'pictures/red.png' };
+  scene.maps[0].objects = [
+    { sprite: 'key', x: 1.5, y: 1.5, height: 0.4, find: { kind: 'brass key' } },
+  ];
+  const open = async (all) => {
+    const { page } = await openScene(t, browser, { server: { files: all } });
+    await page.clock.install();
+    await play(page);
+    await page.waitForSelector('#hint.shown kbd, #hint.shown:not(:has(kbd))');
+    return page;
+  };
+  const page = await open({ ...locked, 'scenes/room.json': JSON.stringify(scene) });
+  assert.equal(await page.innerText('#hint'), 'Still missing: brass key.');
+  assert.equal((await player(page)).gate, '');
+  await page.keyboard.press('x');
+  await page.waitForSelector('#message.shown');
+  assert.equal(await page.innerText('#message'), 'Still missing: brass key.');
+  await page.waitForSelector('#hint:not(.shown)', { state: 'attached' });
+
+  const free = await open(files());
+  assert.equal(await free.innerText('#hint'), 'X opens the gate');
+  await free.clock.runFor(26000); // of this hint, and of the one about walking
+  assert.equal(await free.locator('#hint.shown').count(), 0);
 });

@@ -317,6 +317,47 @@ test('F enters and leaves full screen', async (t) => {
   await page.waitForFunction(() => document.fullscreenElement === null);
 });
 
+test('Play captures the mouse when a mouse presses it, not by key or finger', async (t) => {
+  const open = async (context) => {
+    const { page } = await openScene(t, browser, {
+      context,
+      prepare: (newPage) =>
+        newPage.addInitScript(() => {
+          window.asked = [];
+          Element.prototype.requestPointerLock = async function () {
+            window.asked.push(this.localName);
+          };
+        }),
+    });
+    return page;
+  };
+  const asked = async (page) => {
+    await inState(page, 'playing');
+    await frames(page);
+    return page.evaluate(() => window.asked);
+  };
+  const byMouse = await open({});
+  await byMouse.click('#play');
+  assert.deepEqual(await asked(byMouse), ['canvas']);
+  const byKey = await open({});
+  await play(byKey);
+  assert.deepEqual(await asked(byKey), []);
+  const byFinger = await open({ hasTouch: true });
+  await byFinger.tap('#play');
+  assert.deepEqual(await asked(byFinger), []);
+});
+
+test('the focus returns to what opened a dialog', async (t) => {
+  const { page } = await openScene(t, browser);
+  for (const name of ['scenes', 'keys', 'settings', 'share']) {
+    await page.press(`#open-${name}`, 'Enter');
+    await page.waitForSelector(`#${name}[open]`);
+    await page.keyboard.press('Escape');
+    await page.waitForSelector(`#${name}:not([open])`, { state: 'attached' });
+    assert.equal(await page.evaluate(() => document.activeElement.id), `open-${name}`);
+  }
+});
+
 test('a click locks the pointer, the mouse looks around, Escape releases it', async (t) => {
   const { page } = await openScene(t, await withWindows(t));
   await page.mouse.click(320, 100);

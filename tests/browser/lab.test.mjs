@@ -55,7 +55,7 @@ test('an old way is drawn left of the divider, which mouse and keys move', async
   const box = await page.locator('#divider').boundingBox();
   await page.mouse.move(box.x + box.width / 2, box.y + box.height / 2);
   await page.mouse.down();
-  await page.mouse.move(200, box.y + box.height / 2, { steps: 4 });
+  await page.mouse.move(136, box.y + box.height / 2, { steps: 4 }); // of 680 beside the Lab
   await page.mouse.up();
   assert.ok(Math.abs(Number(await option(page, 'compare')) - 0.2) < 0.01);
   await page.keyboard.press('ArrowRight');
@@ -81,6 +81,21 @@ test('photo mode hides the controls, and saves the picture in the chosen size', 
   await page.keyboard.press('Escape');
   assert.equal(await option(page, 'minimap'), 'on');
   assert.ok(await page.locator('#bar').isVisible());
+});
+
+test('photo mode gives back the time of day, the field of view and the focus', async (t) => {
+  const { page } = await openLab(t);
+  await page.selectOption('#lab-lightPreset', 'dusk');
+  await page.click('[data-lab="photo"]');
+  await page.selectOption('#photo [name="lightPreset"]', 'night');
+  await page.fill('#photo [name="fov"]', '90');
+  assert.deepEqual([await option(page, 'lightPreset'), await option(page, 'fov')], ['night', '90']);
+  await page.click('[data-photo="done"]');
+  assert.deepEqual([await option(page, 'lightPreset'), await option(page, 'fov')], ['dusk', '60']);
+  const focused = () => page.evaluate(() => document.activeElement.textContent.trim());
+  assert.equal(await focused(), 'Photo mode');
+  await page.keyboard.press('Escape');
+  assert.equal(await focused(), 'Lab');
 });
 
 test('the benchmark shows its figures, and restores the view', async (t) => {

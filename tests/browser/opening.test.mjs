@@ -89,6 +89,35 @@ test('hints appear when needed, disappear when followed, and do not return', asy
   assert.ok(!/walk/.test(await again.locator('#hint').textContent()));
 });
 
+test('a hint that nobody follows ends by itself', async (t) => {
+  const { page } = await openScene(t, browser, { query: '?scene=room' });
+  await page.clock.install();
+  await play(page);
+  await page.clock.runFor(3000);
+  assert.match(await page.textContent('#hint.shown'), /walk/);
+  await page.clock.runFor(12000);
+  assert.equal(await page.locator('#hint.shown').count(), 0);
+  assert.equal(await page.evaluate(() => localStorage.getItem('slicecast.hints')), null);
+});
+
+test('after the opening, Escape pauses the world and leaves no label over it', async (t) => {
+  const { page } = await openScene(t, browser, withFlight);
+  await play(page);
+  await page.keyboard.press('Escape');
+  await page.waitForFunction(() => window.slicecast.state === 'paused');
+  await page.waitForFunction(() =>
+    [...document.querySelectorAll('#notices > *')].every(
+      (one) => !one.checkVisibility({ opacityProperty: true }),
+    ),
+  );
+  assert.equal(
+    await page.evaluate(
+      () => getComputedStyle(window.slicecast.shadowRoot.querySelector('.hint')).display,
+    ),
+    'none',
+  );
+});
+
 test('keys with effects that are hard to see show a message', async (t) => {
   const { page } = await openScene(t, browser, { query: '?scene=room' });
   await play(page);

@@ -4,6 +4,7 @@ import assert from 'node:assert/strict';
 import { after, before, test } from 'node:test';
 import {
   frames,
+  inState,
   launch,
   openScene,
   pictureHash,
@@ -80,21 +81,24 @@ test("F1 to F4 are the game's, not the browser's", async (t) => {
   assert.equal(await page.evaluate(() => document.activeElement.id), 'picture');
 });
 
-test('T prints the hits of the inspected slice to the console', async (t) => {
+test('T lists what the inspected slice meets', async (t) => {
   const { page } = await openScene(t, browser);
   await playAtOneSize(page);
-  const told = page.waitForEvent('console', (message) => message.text().startsWith('slice '));
   await page.keyboard.press('KeyT');
-  const { hits, column, map } = await (await told).args()[2].jsonValue();
-  assert.equal(map, 'room');
-  assert.equal(
-    column,
-    Math.floor(
-      (await page.evaluate(() => window.slicecast.shadowRoot.querySelector('canvas').width)) / 2,
-    ),
+  await page.waitForSelector('#slice[open]');
+  assert.equal(await page.innerText('#slice h2'), 'Slice 320 of 640');
+  const lines = await page.$$eval('#slice tbody tr', (rows) =>
+    rows.map(({ cells }) => [...cells].map(({ innerText }) => innerText)),
   );
-  assert.equal(hits[0].face, 'west');
-  assert.deepEqual(hits[0].tile, [6, 3]);
+  assert.deepEqual(
+    lines.map(([, what]) => what),
+    ['sky', 'wall, west side', 'floor'],
+  );
+  assert.deepEqual(lines[1].slice(2), ['tile 6, 3; level 0', '2.50', '0 to 1']);
+  assert.match(lines[0][0], /^0 to \d+$/);
+  assert.match(lines[2][0], /^\d+ to 359$/);
+  await page.keyboard.press('Escape');
+  await inState(page, 'playing');
 });
 
 test('the number row goes to maps, L cycles through the times of day', async (t) => {

@@ -400,6 +400,23 @@ test('files without a scene among them are refused, and the picture is kept', as
   assert.deepEqual(await pixel(page, 0.5, 0.5), kGreen);
 });
 
+test('after a broken scene was dropped, the button and Escape lead back to the picture', async (t) => {
+  const { page } = await openScene(t, browser, { query: '?scene=room', expectErrors: true });
+  for (const goBack of [() => page.click('#trouble-back'), () => page.keyboard.press('Escape')]) {
+    await drop(page, { 'broken.json': '{ "maps": [' });
+    await inState(page, 'trouble');
+    await goBack();
+    await inState(page, 'paused');
+    assert.equal(await page.isVisible('#trouble'), false);
+    assert.equal(await page.title(), 'The coloured room · Slicecast');
+    assert.deepEqual(await pixel(page, 0.5, 0.5), kGreen);
+    await page.keyboard.press('Enter');
+    await inState(page, 'playing');
+    await page.keyboard.press('Escape');
+    await inState(page, 'paused');
+  }
+});
+
 test('all faults of a scene are shown, with place, found and expected; corrected, it opens', async (t) => {
   const scene = roomScene({ title: 'Mended' });
   const good = JSON.stringify(scene, null, 1);

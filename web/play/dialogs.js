@@ -1,6 +1,6 @@
 // The page's dialogs. A button `open-NAME` or a key opens one; its close button, Escape or a press
-// beside it closes it. Afterwards the game goes on if it ran before; otherwise the picture has the
-// focus, so that Enter plays.
+// beside it closes it. Afterwards the game goes on if it ran before; otherwise what had the focus
+// gets it back, which the browser does.
 //
 //     const dialogs = new Dialogs(caster);
 //     dialogs.before('settings', act);       calls act() before opening
@@ -20,7 +20,7 @@ const kPageKeys = [
   },
 ];
 
-const kNames = ['scenes', 'keys', 'settings', 'share', 'benchmark'];
+const kNames = ['scenes', 'keys', 'settings', 'share', 'benchmark', 'slice'];
 
 const find = (id) => document.getElementById(id);
 
@@ -85,7 +85,6 @@ export class Dialogs {
 
   #closed() {
     if (this.#playsOn) this.#caster.enter();
-    else this.#caster.focus({ preventScroll: true });
     this.#playsOn = false;
   }
 }

@@ -1,5 +1,6 @@
-// Hints for a first walk: each appears when needed, disappears once followed, and never returns. A
-// gate within reach always shows how to open it.
+// Hints for a first walk: each appears when needed, disappears once followed, and never returns.
+// One that nobody follows ends by itself until the next visit. A gate within reach shows for a
+// while how to open it, or what is missing.
 //
 //     const hints = new Hints(caster, line);       the line is an element with role="status"
 //
@@ -11,7 +12,9 @@ import { codesOf, labelOf } from './key-list.js';
 
 const kStorageKey = 'slicecast.hints';
 const kInterval = 250; // milliseconds between two checks
+const kShown = 10; // seconds that a hint stays
 const kStuckSpeed = 0.2; // units per second
+const kGate = 'gate'; // the name of the hint at a gate
 const kWalkActions = ['forward', 'back', 'strafeLeft', 'strafeRight'];
 
 const kHints = [
@@ -49,6 +52,9 @@ export class Hints {
   #caster;
   #line;
   #known; // names of the hints that were followed
+  #over = new Set(); // names of those that have ended by themselves
+  #current = ''; // the name of the shown one, and for how many seconds
+  #seconds = 0;
   #held = new Set(); // keys
   #begin = 0;
   #now = null;
@@ -90,9 +96,23 @@ export class Hints {
     this.#last = player;
     for (const { name, isFollowed } of kHints)
       if (!this.#known.has(name) && isFollowed(this.#now)) this.#learn(name);
-    const hint = kHints.find(({ name, isNeeded }) => !this.#known.has(name) && isNeeded(this.#now));
-    const text = gateText(player.gate) || (hint === undefined ? '' : textOf(hint));
-    this.#show(text);
+    // A message of the game comes first: it may say the same.
+    const isTold = document.querySelector('#message.shown') !== null;
+    const text = gateText(player.gate, this.#caster.game?.locked ?? '');
+    if (text === '') this.#over.delete(kGate);
+    const gate = { name: kGate, keys: text, touch: text, isNeeded: () => text !== '' };
+    const hint = [gate, ...kHints].find(
+      ({ name, isNeeded }) =>
+        !this.#known.has(name) && !this.#over.has(name) && isNeeded(this.#now),
+    );
+    this.#show(isTold || hint === undefined ? '' : textOf(hint));
+    this.#count(hint?.name ?? '');
+  }
+
+  #count(name) {
+    this.#seconds = name === this.#current ? this.#seconds + kInterval / 1000 : 0;
+    this.#current = name;
+    if (this.#seconds >= kShown) this.#over.add(name);
   }
 
   #follow(player) {
@@ -138,8 +158,8 @@ function textOf({ keys, touch }) {
   return isTouch() ? touch : keys;
 }
 
-function gateText(offer) {
-  if (offer === '') return '';
+function gateText(offer, locked) {
+  if (offer === '') return locked;
   return isTouch() ? `The gate button ${offer}s it` : `{use} ${offer}s the gate`;
 }
 

@@ -177,8 +177,9 @@ export class Lab {
     clearInterval(this.#timer);
     this.#sheet.hidden = true;
     document.body.classList.remove('lab-open');
-    document.getElementById('open-lab').setAttribute('aria-expanded', 'false');
-    this.#caster.focus({ preventScroll: true });
+    const button = document.getElementById('open-lab');
+    button.setAttribute('aria-expanded', 'false');
+    button.focus({ preventScroll: true });
   }
 
   // Settings are stored; other options last until the page is closed.

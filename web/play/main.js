@@ -39,8 +39,8 @@ function start() {
   const settings = new Settings(find('settings').querySelector('form'), (name, value) =>
     apply(name, value),
   );
-  const options = new ViewOptions(caster, settings);
   const problems = new AddressProblems(find('address-problems'), caster);
+  const options = new ViewOptions(caster, settings, (message) => problems.add('view', message));
   const address = new AddressLine(caster, options, problems);
   const dialogs = new Dialogs(caster);
   const status = new PageStatus(caster, address, dialogs);
@@ -73,7 +73,7 @@ function start() {
 
   const { opening, replayBar } = addPageParts(caster, { settings, address, dialogs, status });
   find('play').addEventListener('click', ({ pointerType }) =>
-    caster.enter({ touch: pointerType === 'touch' }),
+    caster.enter({ touch: pointerType === 'touch', mouse: pointerType === 'mouse' }),
   );
   find('standard-settings').addEventListener('click', () => settings.backToStandard());
   find('choose-files').addEventListener('click', () => find('files').click());

@@ -18,7 +18,8 @@ export class Opening {
   constructor(caster) {
     this.#caster = caster;
     caster.addEventListener('ready', () => this.#ready());
-    caster.addEventListener('enterchange', () => caster.entered && this.#land());
+    // Whoever leaves the game pauses it: the flight's play() has ended.
+    caster.addEventListener('enterchange', () => (caster.entered ? this.#land() : caster.pause()));
     caster.addEventListener('error', () => this.end());
   }
 

@@ -6,7 +6,7 @@ const kShareCode = 'KeyZ'; // sharing is not an action of the engine
 // Looked up by the names of actions, so that changed keys work too. These also work during play.
 const kAlways = {
   share: ({ dialogs }) => dialogs.open('share'),
-  hits: ({ caster }) => tellHits(caster),
+  hits: ({ dialogs }) => dialogs.open('slice'),
   rate: ({ toggleRate }) => toggleRate(),
   record: ({ toggleRecording }) => toggleRecording(),
 };
@@ -49,12 +49,4 @@ function actionOf(caster, code) {
 
 function goOn({ caster }) {
   if (caster.state !== 'error') caster.enter();
-}
-
-// Prints the hits of the inspected slice to the console.
-function tellHits(caster) {
-  const { width } = caster.picture;
-  const chosen = Number(caster.get('inspectorColumn'));
-  const column = chosen >= 0 && chosen < width ? chosen : Math.floor(width / 2);
-  console.info('slice %d', column, caster.hits(column));
 }

@@ -5,6 +5,7 @@
 
 import { BenchmarkDialog } from './benchmark-dialog.js';
 import { ExplainPixel } from './explain-pixel.js';
+import { keepPanelsClear } from './free-area.js';
 import { GameDisplay } from './game-display.js';
 import { Hints } from './hints.js';
 import { KeyEditor } from './key-editor.js';
@@ -13,6 +14,7 @@ import { Lab } from './lab.js';
 import { Opening } from './opening.js';
 import { Photo } from './photo.js';
 import { ReplayBar } from './replay-bar.js';
+import { SliceDialog } from './slice-dialog.js';
 import { Toast } from './toast.js';
 
 const find = (id) => document.getElementById(id);
@@ -20,6 +22,7 @@ const find = (id) => document.getElementById(id);
 export function addPageParts(caster, { settings, address, dialogs, status }) {
   const toast = new Toast(find('toast'));
   listenForEffects(caster, toast);
+  keepPanelsClear(caster);
   new Hints(caster, find('hint'));
   new GameDisplay(find('game'), caster, () => address.reference);
   new KeyEditor(find('keys'), caster, () => dialogs.showKeys());
@@ -27,8 +30,9 @@ export function addPageParts(caster, { settings, address, dialogs, status }) {
   const flight = () => status.scenes.find(({ file }) => file === address.reference)?.flight;
   const benchmark = new BenchmarkDialog(find('benchmark'), caster, flight);
   dialogs.opens('benchmark', () => benchmark.open());
+  const slice = new SliceDialog(find('slice'), caster);
+  dialogs.opens('slice', () => slice.open());
   const photo = new Photo(find('photo'), caster, {
-    write: (name, value) => lab.write(name, value),
     nameOf: () => (address.reference ?? 'picture').replace(/\.json$/, ''),
   });
   const replayBar = new ReplayBar(find('replay'), caster, {

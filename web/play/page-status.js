@@ -32,6 +32,7 @@ export class PageStatus {
   #trouble = new TroubleSheet(find('trouble'));
   #modes = new Set();
   #attributes = []; // those of the last scene that loaded
+  #source = null; // the visitor's own scene, if that was one
   #played = false;
 
   constructor(caster, address, dialogs) {
@@ -110,6 +111,7 @@ export class PageStatus {
       name,
       this.#caster.getAttribute(name),
     ]);
+    this.#source = this.#caster.source;
     this.#show();
   }
 
@@ -142,11 +144,13 @@ export class PageStatus {
 
   // Returns to the previous scene, which is still loaded.
   #back() {
+    this.#caster.source = this.#source;
     for (const [name, value] of this.#attributes) {
       this.#caster.removeAttribute(name);
       if (value !== null) this.#caster.setAttribute(name, value);
     }
-    if (this.#caster.state !== 'error') this.#show();
+    if (this.#caster.state !== 'error') this.#show(); // an error of the page, not of the scene
+    this.#caster.focus({ preventScroll: true });
   }
 
   // One line shows the current mode; of several, the first of kModes.

@@ -1,10 +1,11 @@
 // Photo mode: hides the page's controls, pauses the world, and shows a bar below the picture with
-// field of view, time of day, and the size to save.
+// field of view, time of day, and the size to save. Its end gives back what was before.
 //
-//     const photo = new Photo(bar, caster, { write, nameOf });
+//     const photo = new Photo(bar, caster, { nameOf });
 //     photo.begin();
 
 import { saveFile } from '../element/save-file.js';
+import { fullSize } from './size-now.js';
 import { fitSliders } from './slider.js';
 
 const kOverlays = [
@@ -17,24 +18,25 @@ const kOverlays = [
   'slow',
 ];
 
+const kChosen = ['fov', 'lightPreset']; // in the bar, for the picture alone
+
 export class Photo {
   #bar;
   #caster;
   #actions;
-  #before = new Map(); // overlays to switch on again
+  #before = new Map(); // option -> its value, to be restored at the end
+  #opener = null;
 
   constructor(bar, caster, actions) {
     this.#bar = bar;
     this.#caster = caster;
     this.#actions = actions;
     const field = (name) => bar.querySelector(`[name="${name}"]`);
-    field('fov').addEventListener('input', ({ target }) => {
-      actions.write('fov', target.value);
-      this.#show();
-    });
-    field('lightPreset').addEventListener('input', ({ target }) =>
-      actions.write('lightPreset', target.value),
-    );
+    for (const name of kChosen)
+      field(name).addEventListener('input', ({ target }) => {
+        caster.set(name, target.value);
+        this.#show();
+      });
     bar.querySelector('[data-photo="save"]').addEventListener('click', () => this.#save());
     bar.querySelector('[data-photo="done"]').addEventListener('click', () => this.end());
     bar.addEventListener('keydown', (event) => {
@@ -53,11 +55,9 @@ export class Photo {
   begin() {
     this.#caster.pause();
     fitSliders(this.#bar, this.#caster.optionList);
-    for (const name of kOverlays) {
-      if (this.#caster.get(name) !== 'on') continue;
-      this.#before.set(name, 'on');
-      this.#caster.set(name, 'off');
-    }
+    for (const name of [...kOverlays, ...kChosen]) this.#before.set(name, this.#caster.get(name));
+    for (const name of kOverlays) this.#caster.set(name, 'off');
+    this.#opener = document.activeElement;
     document.body.classList.add('photo');
     this.#show();
     this.#bar.querySelector('input').focus({ preventScroll: true });
@@ -67,9 +67,8 @@ export class Photo {
     if (!this.isOn) return;
     document.body.classList.remove('photo');
     for (const [name, value] of this.#before) this.#caster.set(name, value);
-    this.#before.clear();
     this.#status('');
-    if (!this.#caster.entered) this.#caster.focus({ preventScroll: true });
+    if (!this.#caster.entered) this.#opener.focus({ preventScroll: true });
   }
 
   #show() {
@@ -81,10 +80,12 @@ export class Photo {
 
   async #save() {
     const size = this.#bar.querySelector('[name="size"]').value;
-    const [width, height] = size === '' ? [] : size.split('x').map(Number);
+    const [width, height] = size.split('x').map(Number);
     this.#status('Drawing …');
     try {
-      const blob = await this.#caster.snapshot(size === '' ? {} : { width, height });
+      const blob = await this.#caster.snapshot(
+        size === '' ? fullSize(this.#caster) : { width, height },
+      );
       saveFile(`${this.#actions.nameOf()}.png`, blob);
       this.#status('Saved');
     } catch (error) {

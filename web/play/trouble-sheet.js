@@ -1,4 +1,4 @@
-// The sheet that shows an error.
+// The sheet that shows an error. Escape goes back, where there is a picture to go back to.
 //
 //     sheet.show({title, message, faults}, {again, scenes, back});      the event `error`'s detail
 //     sheet.near(meant);
@@ -12,6 +12,16 @@ export class TroubleSheet {
     this.actions = {};
     for (const name of kActions)
       this.find(name).addEventListener('click', () => this.actions[name]());
+    document.addEventListener('keydown', ({ key, defaultPrevented }) => {
+      const isShown = !root.hidden && !this.find('back').hidden;
+      if (
+        key === 'Escape' &&
+        isShown &&
+        !defaultPrevented &&
+        !document.querySelector('dialog[open]')
+      )
+        this.actions.back();
+    });
   }
 
   // `actions` are {again, scenes, back}: functions, or null to hide a button.
