@@ -103,7 +103,11 @@ test('several elements fetch each file once and compile once; each reports its m
       ({ shadowRoot }) => shadowRoot.querySelector('.controls') !== null,
     ),
   );
-  assert.deepEqual(scriptsOf(server), ['ray-caster-steering.js', 'ray-caster.js']);
+  assert.deepEqual(scriptsOf(server), [
+    'ray-caster-more.js',
+    'ray-caster-steering.js',
+    'ray-caster.js',
+  ]);
   const often = server.asked.filter((path, index) => server.asked.indexOf(path) !== index);
   assert.deepEqual(often, []);
   assert.equal(await page.evaluate(() => window.watch.compiled), 2, 'the two parts of the program');
@@ -200,7 +204,7 @@ test('steering.js loads when somebody comes near, or after the picture if there 
   const { page, server } = await openGuest(t, browser, { body: kRoom });
   await ready(page);
   await wait(300);
-  assert.deepEqual(scriptsOf(server), ['ray-caster.js']);
+  assert.deepEqual(scriptsOf(server), ['ray-caster-more.js', 'ray-caster.js']);
   await page.hover('ray-caster');
   await until(
     page,

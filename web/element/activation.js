@@ -217,13 +217,14 @@ export class Activation {
   // A finger on a picture that the mouse or keys steer brings the thumbs, and is the first of them.
   #takeOver(event) {
     if (!this.isHeld || !isFinger(event)) return;
-    const { canvas, leave, root } = this.tree;
+    const { canvas, leave, root, status } = this.tree;
     event.preventDefault();
     event.stopPropagation();
     if (root.pointerLockElement === canvas) canvas.ownerDocument.exitPointerLock();
     this.#byTouch = true;
     this.#showThumbs(true);
     leave.hidden = false;
+    status.textContent = ''; // of the keys
     root
       .elementFromPoint(event.clientX, event.clientY)
       ?.dispatchEvent(new PointerEvent(event.type, event));

@@ -89,7 +89,7 @@ export class Face {
     this.#internals.ariaLabel = name;
     canvas?.setAttribute('aria-label', name);
     cover.setAttribute('aria-label', `${act}: ${name}`);
-    box.dataset.name = name;
+    box.dataset.label = name;
     hint.textContent = act;
   }
 }

@@ -131,7 +131,7 @@ export class Loading {
         this.#actions.changed();
         return;
       }
-      if (!isSceneParsed(host)) return; // constructor: again once it is
+      if (!isSceneParsed(host)) return; // the constructor waits for it
       const scene = findScene(host);
       const tour = host.tour === '' ? null : tourAddress(host);
       if (scene === null && tour === null) throw noScene(host);

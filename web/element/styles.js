@@ -144,8 +144,8 @@ button:focus-visible, .message:focus-visible { outline: 2px solid var(--accent);
 
 @media print {
   .cover, .progress { display: none; }
-  .box:not(:has(canvas)) { outline: 1px solid #000; outline-offset: -1px; }
-  .box:not(:has(canvas))::before { content: attr(data-name); position: absolute; inset: 0; display: grid; place-items: center; color: #000; }
+  .box:not(:has(canvas)) { background: none; outline: 1px solid #000; outline-offset: -1px; }
+  .box:not(:has(canvas))::before { content: attr(data-label); position: absolute; inset: 0; display: grid; place-items: center; color: #000; }
 }
 
 @media (forced-colors: active) {
