@@ -32,7 +32,8 @@ if(WAY STREQUAL "pkg-config")
   # Without CMake. An installation may be moved.
   file(RENAME ${WORK}/prefix ${WORK}/moved)
   file(GLOB_RECURSE package ${WORK}/moved/slicecast.pc)
-  get_filename_component(ENV{PKG_CONFIG_PATH} ${package} DIRECTORY)
+  get_filename_component(folder ${package} DIRECTORY)
+  set(ENV{PKG_CONFIG_PATH} ${folder})
   execute_process(COMMAND pkg-config --cflags --libs slicecast COMMAND_ERROR_IS_FATAL ANY
     OUTPUT_VARIABLE flags OUTPUT_STRIP_TRAILING_WHITESPACE)
   separate_arguments(flags)
