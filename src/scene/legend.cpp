@@ -27,9 +27,8 @@ Legend::Legend(std::uint16_t dot, std::uint16_t space) : dot_(dot), space_(space
 
 std::int32_t Legend::entryOf(std::string_view sign) const {
     if (sign.size() == 1) return ascii_[static_cast<unsigned char>(sign[0])];
-    const auto other =
-        std::lower_bound(others_.begin(), others_.end(), std::pair(sign, std::int32_t{0}));
-    return other != others_.end() && other->first == sign ? other->second : kNone;
+    const std::optional<std::uint32_t> entry = others_.find(sign);
+    return entry ? static_cast<std::int32_t>(*entry) : kNone;
 }
 
 void Legend::set(std::string_view sign, std::uint16_t id) {
@@ -40,12 +39,10 @@ void Legend::set(std::string_view sign, std::uint16_t id) {
     }
     const auto entry = static_cast<std::int32_t>(entries_.size());
     entries_.emplace_back(sign, id);
-    if (sign.size() == 1) {
+    if (sign.size() == 1)
         ascii_[static_cast<unsigned char>(sign[0])] = entry;
-    } else {
-        const std::pair other(sign, entry);
-        others_.insert(std::lower_bound(others_.begin(), others_.end(), other), other);
-    }
+    else
+        others_.add(sign, static_cast<std::uint32_t>(entry));
 }
 
 std::optional<std::uint16_t> Legend::find(std::string_view sign) const {

@@ -1,6 +1,7 @@
 // Legends: which blueprint or texture a sign of a grid stands for (source_text.h).
 #pragma once
 
+#include "base/name_index.h"
 #include "scene/checker.h"
 #include "scene/names.h"
 
@@ -41,8 +42,8 @@ private:
 
     std::uint16_t dot_;
     std::uint16_t space_;
-    std::array<std::int32_t, 128> ascii_;                            // index into entries_
-    std::vector<std::pair<std::string_view, std::int32_t>> others_;  // by sign, the same
+    std::array<std::int32_t, 128> ascii_;  // index into entries_
+    NameIndex others_;                     // the same
     std::vector<std::pair<std::string_view, std::uint16_t>> entries_;
     bool takesAny_ = false;
 };

@@ -116,11 +116,7 @@ public:
             return std::tie(a.line, a.column, a.pointer, a.found) <
                    std::tie(b.line, b.column, b.pointer, b.found);
         });
-        if (ofText.size() > kMaxFaults) return ofText;
-        faults_.insert(faults_.begin(), ofText.begin(), ofText.end());
-        mergeSort(faults_, [](const Fault& a, const Fault& b) {
-            return std::tie(a.line, a.column) < std::tie(b.line, b.column);
-        });
+        if (!ofText.empty()) addFaults(std::move(ofText));
         if (faults_.size() > kMaxFaults) {
             const std::size_t omitted = faults_.size() - kMaxFaults;
             faults_.resize(kMaxFaults);
@@ -130,6 +126,15 @@ public:
     }
 
 private:
+    // Not copied to where it is called: few scenes need it before their picture.
+    __attribute__((noinline)) void addFaults(std::vector<Fault> ofText) {
+        for (Fault& fault : faults_) ofText.push_back(std::move(fault));
+        mergeSort(ofText, [](const Fault& a, const Fault& b) {
+            return a.line != b.line ? a.line < b.line : a.column < b.column;
+        });
+        faults_ = std::move(ofText);
+    }
+
     void makeTextureFrame(std::size_t frame) {
         Texture& texture = world_.textures[current_];
         std::vector<TextureLevel> levels =
@@ -281,7 +286,9 @@ struct SceneLoader::Work {
 };
 
 void SceneLoader::Work::prepare() {
-    loaded.faults = reader.takeFaults(std::move(scene.faults));
+    // Of too many, the last one counts the others.
+    loaded.faults = scene.faults.size() > kMaxFaults ? std::move(scene.faults)
+                                                     : reader.takeFaults(std::move(scene.faults));
     if (!loaded.faults.empty()) return;
     tasks.add<makeGateFrames>(world);
     tasks.add<markSeeThrough>(world);

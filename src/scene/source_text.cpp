@@ -4,6 +4,7 @@
 #include "base/words.h"
 
 #include <algorithm>
+#include <utility>
 
 namespace slicecast {
 namespace {
@@ -25,13 +26,17 @@ bool isRegional(char32_t c) {
     return isWithin(c, 0x1f1e6, 0x1f1ff);
 }
 
-// Belongs to the code point before it.
+// What belongs to the code point before it, from the first to the last one of each range.
+constexpr std::pair<char32_t, char32_t> kJoining[] = {
+    {0x300, 0x36f},     {0x483, 0x489},     {0x1ab0, 0x1aff},  {0x1dc0, 0x1dff},
+    {kJoiner, kJoiner}, {0x20d0, 0x20ff},   {0x3099, 0x309a},  {0xfe00, 0xfe0f},
+    {0xfe20, 0xfe2f},   {0x1f3fb, 0x1f3ff}, {0xe0000, 0xe0fff}};
+
 bool joins(char32_t c) {
-    return isWithin(c, 0x300, 0x36f) || isWithin(c, 0x483, 0x489) || isWithin(c, 0x1ab0, 0x1aff) ||
-           isWithin(c, 0x1dc0, 0x1dff) || c == kJoiner || isWithin(c, 0x20d0, 0x20ff) ||
-           isWithin(c, 0x3099, 0x309a) || isWithin(c, 0xfe00, 0xfe0f) ||
-           isWithin(c, 0xfe20, 0xfe2f) || isWithin(c, 0x1f3fb, 0x1f3ff) ||
-           isWithin(c, 0xe0000, 0xe0fff);
+    for (const auto& [first, last] : kJoining) {
+        if (isWithin(c, first, last)) return true;
+    }
+    return false;
 }
 
 bool isContinuation(std::string_view text, std::size_t offset) {
