@@ -5,6 +5,7 @@
 //     const lab = new Lab(sheet, caster, { settings, photo, benchmark, record, replay, explain });
 //     lab.toggle();
 
+import { isFinger } from '../element/details.js';
 import { Divider } from './divider.js';
 import { optionRow } from './lab-rows.js';
 
@@ -137,9 +138,9 @@ export class Lab {
     find('benchmark').addEventListener('click', benchmark);
     // These need the whole picture.
     for (const [name, act] of Object.entries(others))
-      find(name).addEventListener('click', ({ pointerType }) => {
+      find(name).addEventListener('click', (press) => {
         this.close();
-        act({ touch: pointerType === 'touch' });
+        act({ touch: isFinger(press) });
       });
     find('close').addEventListener('click', () => this.close());
     find('way').addEventListener('input', ({ target }) => this.#choose(target.value));

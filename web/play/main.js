@@ -13,6 +13,7 @@
 // scene), live=1 (reload when tools/play reports a save), engine=simd or scalar.
 
 import '../ray-caster.js';
+import { isFinger } from '../element/details.js';
 import { Gamepads } from '../element/gamepads.js';
 import { AddressLine } from './address-line.js';
 import { AddressProblems } from './address-problems.js';
@@ -72,8 +73,8 @@ function start() {
   });
 
   const { opening, replayBar } = addPageParts(caster, { settings, address, dialogs, status });
-  find('play').addEventListener('click', ({ pointerType }) =>
-    caster.enter({ touch: pointerType === 'touch', mouse: pointerType === 'mouse' }),
+  find('play').addEventListener('click', (press) =>
+    caster.enter({ touch: isFinger(press), mouse: press.pointerType === 'mouse' }),
   );
   find('standard-settings').addEventListener('click', () => settings.backToStandard());
   find('choose-files').addEventListener('click', () => find('files').click());
