@@ -289,9 +289,8 @@ void bringBodyToEye(const World& world, Player& player, bool Player::*mode) {
     moveEyeTo(world, player, {});
 }
 
-// Frees a body whose lower part is in something, if the eye is above that. A function of its own,
-// because few need it: pages load it later.
-__attribute__((noinline)) bool riseAroundEye(const World& world, Player& player) {
+// Frees a body whose lower part is in something, if the eye is above that.
+bool riseAroundEye(const World& world, Player& player) {
     Player risen = player;
     const Coordinate up = leastRise(world, player.map, bodyBox(player), kCrouchedEye - kLowestEye)
                               .value_or(Coordinate{});
