@@ -49,7 +49,7 @@ export function parseView(text, standardLook = 0) {
   return { x, y, z, heading, look, map, ...(mode && { flying: mode === 'fly' }) };
 }
 
-// Reads what look() takes: a view as text, or an object with any of its fields and `walk` or `fly`.
+// Reads what look() takes: a view as text, or an object with any of its fields.
 // Fields that are null or undefined stay as they are. Throws a Trouble.
 export function readView(view) {
   if (typeof view === 'string') return parseView(view, null);
@@ -58,12 +58,12 @@ export function readView(view) {
   for (const [name, value] of Object.entries(view)) {
     if ((value ?? null) === null) continue;
     if (Object.hasOwn(kViewLimits, name)) checkNumber('look', name, value);
-    else if (name === 'walk' || name === 'fly') {
+    else if (name === 'flying') {
       if (typeof value !== 'boolean')
-        throw misread(`look: found ${name} ${shown(value)}, expected true or false`);
+        throw misread(`look: found flying ${shown(value)}, expected true or false`);
     } else if (name !== 'map')
       throw misread(
-        `look: found ${name} ${shown(value)}, expected a view with some of ${Object.keys(kViewLimits).join(', ')}, map, walk, fly`,
+        `look: found ${name} ${shown(value)}, expected a view with some of ${Object.keys(kViewLimits).join(', ')}, map, flying`,
       );
     else if (typeof value !== 'string')
       throw misread(`look: found map ${shown(value)}, expected the name of a map`);

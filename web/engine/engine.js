@@ -344,18 +344,16 @@ export class Engine {
     return { x: column, y: row, depth, isSeen: seen === 1 };
   }
 
-  // Moves the eye; fields that the view leaves out stay, and so does walking or flying unless
-  // `walk` or `fly` says otherwise. An eye that stays where it is only turns. Returns false if
-  // there is no room for the eye.
-  look({ walk, fly, ...view }) {
+  // Moves the eye; fields that the view leaves out stay, and so does walking or flying. An eye that
+  // stays where it is only turns. Returns false if there is no room for the eye.
+  look(view) {
     const state = this.state;
     if (state === null) return false;
-    const flying = fly ?? ((walk ?? null) === null ? state.flying : !walk);
     const changes = Object.fromEntries(
       Object.entries(view).filter(([, value]) => (value ?? null) !== null),
     );
     if (changes.map !== undefined) changes.map = this.#mapNames.indexOf(changes.map);
-    return this.restore({ ...state, ...changes, flying });
+    return this.restore({ ...state, ...changes });
   }
 
   // Ends flying where the eye is, or on the nearest ground if there is no room: 'stands' (or swims)
