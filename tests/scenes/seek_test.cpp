@@ -154,7 +154,7 @@ private:
         const CellAt at = {player.map, random_.below(map.levels),
                            player.x.tile() + random_.between(-3, 3),
                            player.y.tile() + random_.between(-3, 3)};
-        edits_ += session_.setCell(at, random_.oneIn(2) ? entry.character : U'.').empty();
+        edits_ += session_.setCell(at, random_.oneIn(2) ? entry.sign : std::string(".")).empty();
     }
 
     Session session_;

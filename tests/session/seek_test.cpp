@@ -19,7 +19,7 @@ namespace {
 World makeMeadow(std::size_t notices = 0, std::size_t letters = 0) {
     WorldBuilder make;
     make.texture("grey", {128, 128, 128, 255});
-    LegendEntry post{U'#', 1};
+    LegendEntry post{"#", 1};
     make.block('#', {.name = "post"});
     make.map("meadow", 20, 20, 2).legend.push_back(post);
     make.put('#', 14, 10);
@@ -89,7 +89,7 @@ TEST(Seek, TakesBackASessionThatWentOnWithoutIt) {
     Replay replay(recording);
     for (int i = 0; i < 500; ++i) replay.step(session);
     replay.leave();
-    EXPECT_EQ(session.setCell({0, 0, 3, 3}, U'#'), "");
+    EXPECT_EQ(session.setCell({0, 0, 3, 3}, "#"), "");
     session.setOption("speed", "3");
     for (int i = 0; i < 100; ++i) session.step({.strafe = 1.0});
     session.reset();
@@ -112,13 +112,13 @@ TEST(Seek, KeepsWhatIsSetBetweenSteps) {
     Recording recording = spinning(600);
     recording.entries = {RecordedOption{"speed", "2"},
                          RecordedSteps{250, {.forward = 256}},
-                         RecordedCell{0, 0, 5, 5, '#'},
+                         RecordedCell{0, 0, 5, 5, "#"},
                          RecordedFlying{true},
                          RecordedMark{"here", 1},
                          RecordedSteps{200, {.fly = 256, .use = true}},
                          RecordedReset{},
                          RecordedSteps{150, {.strafe = 256}},
-                         RecordedCell{0, 0, 6, 6, '#'}};
+                         RecordedCell{0, 0, 6, 6, "#"}};
     Session session(makeMeadow());
     Replay replay(recording);
     while (replay.step(session)) {
