@@ -208,7 +208,8 @@ test('the C++ snippets compile', (t) => {
   );
   assert.ok(snippets.length >= 5);
   const compiler = process.env.CXX ?? 'c++';
-  const options = ['-std=c++20', '-fsyntax-only', '-I', path.join(root, 'src/include')];
+  const folders = ['src/include', 'build/native/include'].map((folder) => path.join(root, folder));
+  const options = ['-std=c++20', '-fsyntax-only', ...folders.flatMap((folder) => ['-I', folder])];
   const bodies = snippets.filter((code) => !code.includes('int main('));
   const functions = bodies.map(
     (code, index) =>
