@@ -231,7 +231,7 @@ public:
         Loaded loaded;
         ParsedScene parsed;
         loaded.seconds = secondsOf([&] { parsed = parseScene(text, "worst.json"); });
-        if (!parsed.description) {
+        if (!parsed.faults.empty()) {
             loaded.scene.faults = std::move(parsed.faults);
             return loaded;
         }
