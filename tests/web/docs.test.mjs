@@ -238,7 +238,8 @@ test('building it again gives the same bytes', async (t) => {
   const folder = mkdtempSync(path.join(tmpdir(), 'slicecast-docs-'));
   t.after(() => rmSync(folder, { recursive: true }));
   cpSync(site, folder, { recursive: true });
-  await run(process.execPath, [path.join(root, 'tools/docs.mjs'), folder]).catch(crashToo);
+  for (const tool of ['docs.mjs', 'cards.mjs'])
+    await run(process.execPath, [path.join(root, 'tools', tool), folder]).catch(crashToo);
   const names = readdirSync(path.join(site, 'docs'), { recursive: true }).sort();
   assert.deepEqual(readdirSync(path.join(folder, 'docs'), { recursive: true }).sort(), names);
   for (const name of names.filter((each) => path.extname(each) !== ''))
