@@ -117,7 +117,7 @@ test('it saves the picture, and copies the tag with the current view and options
   assert.equal(
     copied,
     `<script type="module" src="${server.address}ray-caster.js"></script>\n` +
-      `<ray-caster scene="${server.address}scenes/room.json" controls="" label="Four walls" view="3.5,3.5,0.5,90,0,room" options="fov=75" overlay="grid"></ray-caster>`,
+      `<ray-caster scene="${server.address}scenes/room.json" controls="" label="Four walls" view="walk,3.5,3.5,0.5,90,0,room" options="fov=75" overlay="grid"></ray-caster>`,
   );
 });
 
@@ -144,7 +144,7 @@ test("the copied tag of a tour has its scene, the current view, and the poster's
   const [, tag] = (await page.evaluate(() => navigator.clipboard.readText())).split('\n');
   assert.equal(
     tag,
-    `<ray-caster poster="${server.address}pictures/a.png" controls="share" view="2.5,4.5,0.5,90,0,room" scene="${server.address}scenes/room.json"></ray-caster>`,
+    `<ray-caster poster="${server.address}pictures/a.png" controls="share" view="walk,2.5,4.5,0.5,90,0,room" scene="${server.address}scenes/room.json"></ray-caster>`,
   );
 });
 

@@ -66,7 +66,7 @@ export class Pictures {
     const scene = layers.reduce((lower, upper) => laidOver(lower, upper));
     const view = ownView ?? (isWhole ? null : kView);
     this.#all.set(name, { scene: movedDown(scene), view, seconds: Number(seconds), isDrawn });
-    const fromHere = view === null ? '' : `&amp;view=${view}`;
+    const fromHere = view === null ? '' : `&amp;view=fly,${view}`;
     return { part, view, address: `../index.html?scene=docs/scenes/${name}.json${fromHere}` };
   }
 

@@ -123,7 +123,8 @@ export class Stage {
     );
     const boxWidth = pixels.width * enlarged;
     const boxHeight = pixels.height * enlarged;
-    const ratio = boxWidth / width || density; // screen pixels for each of the frame's
+    const zoom = stage.currentCSSZoom ?? pixels.width / (width * density || 1);
+    const ratio = density * zoom * enlarged; // screen pixels for each of the frame's
     const wanted = layOut(this.size, boxWidth, boxHeight, this.scale);
     frame.style.width = `${wanted.shownWidth / ratio}px`;
     frame.style.height = `${wanted.shownHeight / ratio}px`;

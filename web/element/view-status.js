@@ -16,6 +16,7 @@ export class ViewStatus {
   constructor(tree, engine) {
     this.tree = tree;
     this.engine = engine;
+    tree.box.addEventListener('focusin', () => this.moved());
   }
 
   moved() {
@@ -42,7 +43,8 @@ export class ViewStatus {
     const { describeView } = await bringMore();
     const { seen, root, canvas } = this.tree;
     const engine = this.engine();
-    if (engine === null || canvas === null) return;
+    // One that rests is not woken for this, unless somebody is there.
+    if (engine === null || canvas === null || (engine.rests && root.activeElement === null)) return;
     if (!engine.isComplete) {
       this.#wait(kRestMilliseconds); // what looks around is in the program's later part
       return;

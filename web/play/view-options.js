@@ -84,9 +84,13 @@ export class ViewOptions {
     const caster = this.#caster;
     if (view === null) return;
     if (!caster.look(text) && !caster.look(formatView({ ...view, z: kJustAbove }))) return;
+    if (view.flying) {
+      caster.flying = true;
+      return;
+    }
     const landing = caster.land();
     if (landing === 'stands' || landing === 'falls')
-      caster.flying = view.flying ?? landing === 'falls';
+      caster.flying = view.flying === undefined && landing === 'falls';
     else this.#tellMoved(view, landing);
   }
 
