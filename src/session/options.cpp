@@ -435,10 +435,11 @@ void setOption(SessionOptions& options, std::string_view name, double number) {
 
 RenderOptions renderOptions(const SessionOptions& options, int width, int height) {
     RenderOptions render = options.render;
-    const double times = width / (kFovShape * height);
-    if (options.wideFov && times > 1.0)
-        render.fovDegrees = std::min(
-            kMaxFovDegrees, 2.0 * atanDegrees(times * tanDegrees(render.fovDegrees / 2.0)));
+    const double spanned = kFovShape * std::max(height, 1);
+    if (options.wideFov && width > spanned) {
+        const double slope = width / spanned * tanDegrees(render.fovDegrees / 2.0);
+        render.fovDegrees = std::min(kMaxFovDegrees, 2.0 * atanDegrees(slope));
+    }
     return render;
 }
 
