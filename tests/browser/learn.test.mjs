@@ -20,7 +20,7 @@ const kPolicy =
 const kPhone = { width: 360, height: 740 };
 const kDesktop = { width: 1280, height: 900 };
 // Gzipped, of a first load; 218 KB of them are the engine. Its later part comes after that.
-const kMostBytes = 350_000;
+const kMostBytes = 356_000;
 const kSmallestText = 12; // CSS pixels, on a phone
 
 let browser;

@@ -54,6 +54,8 @@ test('it sets sliders, and Start pauses the game', async (t) => {
   await tap(page, kUp);
   assert.notEqual(await focused(page), 'set-fov');
   await tap(page, 1);
+  assert.equal(await focused(page), 'open-settings');
+  await page.focus('#play');
   await tap(page, 0);
   await inState(page, 'playing');
   await tap(page, kStart);

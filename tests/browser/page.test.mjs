@@ -106,8 +106,8 @@ test('every wall of the room has its colour, and so have floor and sky', async (
 });
 
 test('the canvas has the same picture as the engine draws without a page', async (t) => {
-  const { page } = await openScene(t, browser);
-  assert.equal(await pictureHash(page), await hashHeadless('room.json', roomFiles(), 640, 360));
+  const { page } = await openScene(t, browser, { viewport: { width: 640, height: 400 } });
+  assert.equal(await pictureHash(page), await hashHeadless('room.json', roomFiles(), 640, 400));
 });
 
 test('the screen shows the canvas pixel by pixel', async (t) => {

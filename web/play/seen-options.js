@@ -3,7 +3,7 @@
 //     isOfView('fov')                     not those that move the player, nor those of the window
 //     seenOptions(caster.optionList)      of these, without those whose overlay or light is off
 
-const kNeverSeen = ['speed', 'bob', 'overlayTop', 'overlayBottom'];
+const kNeverSeen = ['speed', 'bob', 'wideFov', 'overlayTop', 'overlayBottom'];
 
 // The option that must be on.
 const kSeenWith = {

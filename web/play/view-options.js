@@ -40,11 +40,9 @@ export class ViewOptions {
       const ofViews = optionList.filter(({ name }) => isOfView(name));
       this.#wanted = new Map(ofViews.map(({ name, standard }) => [name, standard]));
     }
+    this.#wanted.set('wideFov', 'on'); // the window may have any shape
     if (overrides) this.#override(parameters.get('options') ?? '');
-    else {
-      if (this.#isOverridden) this.#settings.takeBack();
-      this.#wanted.set('wideFov', 'on'); // the window may have any shape
-    }
+    else if (this.#isOverridden) this.#settings.takeBack();
     this.#isOverridden = overrides;
     this.#caster.overlay = parameters.get('overlay');
     this.#write();
