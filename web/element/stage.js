@@ -123,8 +123,9 @@ export class Stage {
     );
     const boxWidth = pixels.width * enlarged;
     const boxHeight = pixels.height * enlarged;
-    const zoom = stage.currentCSSZoom ?? pixels.width / (width * density || 1);
-    const ratio = density * zoom * enlarged; // screen pixels for each of the frame's
+    // Screen pixels for each of the frame's. The box's are rounded, which must not count as a zoom.
+    const measured = boxWidth / width || density;
+    const ratio = Math.abs(measured / density - 1) < kAlike ? density : measured;
     const wanted = layOut(this.size, boxWidth, boxHeight, this.scale);
     frame.style.width = `${wanted.shownWidth / ratio}px`;
     frame.style.height = `${wanted.shownHeight / ratio}px`;

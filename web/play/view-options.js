@@ -13,6 +13,7 @@ import { isOfView } from './seen-options.js';
 
 const kOverriding = ['view', 'options', 'overlay'];
 const kJustAbove = 1 / 4096; // units: the eye must be above the floor
+const kNear = 8; // units around a map
 
 export class ViewOptions {
   #caster;
@@ -82,7 +83,7 @@ export class ViewOptions {
     const caster = this.#caster;
     if (view === null) return;
     if (!caster.look(text) && !caster.look(formatView({ ...view, z: kJustAbove }))) return;
-    if (view.flying) {
+    if (view.flying && isNear(caster)) {
       caster.flying = true;
       return;
     }
@@ -102,6 +103,13 @@ export class ViewOptions {
           : `You stand on the nearest ground, at ${at.join(', ')}.`),
     );
   }
+}
+
+// Whether the eye is in its map, or as near that it sees the map from outside.
+function isNear({ currentView: { map, x, y, z }, world }) {
+  const { width, depth, levels } = world.maps.find(({ name }) => name === map);
+  const isIn = (place, size) => place > -kNear && place < size + kNear;
+  return isIn(x, width) && isIn(y, depth) && isIn(z, levels);
 }
 
 // Null without a view, or for one that the element reports.
