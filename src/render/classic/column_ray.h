@@ -63,8 +63,12 @@ struct View {
     // The row of a height at a depth; infinitely high or low at depth 0.
     double rowOf(double z, double depth) const;
     // The depth of a plane in a row that meets it. It has height z over or under the eye, and
-    // climbs by so much per unit of depth.
-    double depthOfPlane(double z, double y, double climb = 0.0) const {
+    // climbs by so much per unit of depth. Infinite for a row that runs along it.
+#if defined(__clang__)
+    __attribute__((no_sanitize("float-divide-by-zero")))
+#endif
+    double
+    depthOfPlane(double z, double y, double climb = 0.0) const {
         return (z - eyeZ) * distance / (up * (horizon - y) - climb * distance);
     }
 
