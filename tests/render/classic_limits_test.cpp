@@ -35,6 +35,24 @@ TEST(Classic, RefusesInvalidViews) {
     EXPECT_FALSE(drawClassic(world, eye, {}, {}, lit, {nullptr, 8, 8, 8}));
 }
 
+// A ray that runs along a slope never meets it, not even when everything is painted.
+TEST(Classic, DrawsASlopeThatGoesThroughTheEye) {
+    World world = emptyWorld(12, 12, 1, plain("floor", kBlack));
+    const BlueprintId ramp = addBlock(world, addTexture(world, plain("ramp", kRed)));
+    world.blueprints[ramp].slopes = slopesTo(Face::east, {}, {{}, toCoordinate(0.5)});
+    world.blueprints[ramp].top = toCoordinate(0.5);
+    world.maps[0].setCell(5, 5, 0, ramp);
+    // Row 16 has a slope of one half
+    const Eye eye = eyeAt(5.5, 5.5, 0.25, 0.0, 1.0 / 128.0);
+    const RenderOptions options = {.fovDegrees = 90.0};
+    const int first = firstRow(draw(world, eye, 64, 64, options), 32, kRed);
+    for (const bool paintersOrder : {false, true}) {
+        const Drawn old = drawOld(world, eye, 64, 64, {.paintersOrder = paintersOrder}, options);
+        ASSERT_FALSE(old.image.empty());
+        EXPECT_NEAR(firstRow(old.image, 32, kRed), first, 1);
+    }
+}
+
 // All at once, at the least of steps and the widest of views: nothing is divided by zero, nothing
 // looked up beside a texture.
 TEST(Classic, AnyMixtureCanBeDrawn) {

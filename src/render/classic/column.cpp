@@ -7,6 +7,7 @@
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
+#include <limits>
 #include <numeric>
 
 namespace slicecast::classic {
@@ -90,15 +91,16 @@ void Column::gather(Part& part) {
     report_.tilesWalked +=
         classic_.march ? marchTiles(map, part.view, part.ray, part.start, classic_, part.spans)
                        : walkTiles(map, part.view, part.ray, part.start, part.spans);
-    gatherSurfaces({.world = world_,
-                    .map = map,
-                    .view = part.view,
-                    .ray = part.ray,
-                    .rows = rows_,
-                    .classic = classic_,
-                    .isBeyondLimit = part.portals >= world_.portalLimit,
-                    .begins = part.isMirrored() ? 0.0 : part.start.along * part.ray.depthPerAlong},
-                   part.spans, part.blocks, part.surfaces);
+    part.objects = gatherSurfaces(
+        {.world = world_,
+         .map = map,
+         .view = part.view,
+         .ray = part.ray,
+         .rows = rows_,
+         .classic = classic_,
+         .isBeyondLimit = part.portals >= world_.portalLimit,
+         .begins = part.isMirrored() ? 0.0 : part.start.along * part.ray.depthPerAlong},
+        part.spans, part.blocks, part.surfaces);
     report_.blocksMet += static_cast<std::int64_t>(part.blocks.size());
     part.colouring.emplace(palette_, part.map, part.view, part.ray);
     part.overdrawn.clear();
@@ -148,16 +150,29 @@ Column::Place Column::nextBehind(const Part& part, const Place& last, int row,
                                  const Surface* over) const {
     const double y = rows_.middle(row);
     Place next;
-    for (const Surface& surface : part.surfaces) {
-        if (next.surface != nullptr && surface.nearest > next.depth) break;  // so are all others
-        if (row < surface.firstRow || row >= surface.lastRow) continue;
-        if (over != nullptr && &surface != over && surface.what != FilledRows::What::object)
-            continue;
-        const Place place = {&surface, surface.depthAt(part.view, part.ray, y)};
-        const bool isBehind =
-            last.surface == nullptr ? place.depth > last.depth : last.isBefore(place);
-        if (isBehind && (next.surface == nullptr || place.isBefore(next))) next = place;
-    }
+    const auto search = [&](auto first, auto end) {
+        // Both lists are sorted by depth: what is before the last place is skipped
+        if (!classic_.seams) {
+            first = std::partition_point(
+                first, end, [&](const Surface& surface) { return surface.farthest < last.depth; });
+        }
+        for (; first != end; ++first) {
+            const Surface& surface = *first;
+            if (next.surface != nullptr && surface.nearest > next.depth) return;  // so are others
+            if (row < surface.firstRow || row >= surface.lastRow) continue;
+            if (over != nullptr && &surface != over && surface.what != FilledRows::What::object)
+                continue;
+            const Place place = {&surface, surface.depthAt(part.view, part.ray, y)};
+            const bool isBehind =
+                last.surface == nullptr ? place.depth > last.depth : last.isBefore(place);
+            if (!(place.depth < std::numeric_limits<double>::infinity())) continue;
+            if (isBehind && (next.surface == nullptr || place.isBefore(next))) next = place;
+        }
+    };
+    const auto begin = part.surfaces.begin();
+    const auto tiles = begin + static_cast<std::ptrdiff_t>(part.objects);
+    search(begin, tiles);
+    search(tiles, part.surfaces.end());
     return next;
 }
 
@@ -198,7 +213,7 @@ void Column::follow(Part* part, int row) {
         Place place = {nullptr, part->beginsAt(y)};
         Part* next = part;
         while (next == part) {
-            place = nextBehind(*part, place, row, over);
+            place = marks(row).size() < kMostMarks ? nextBehind(*part, place, row, over) : Place();
             next = place.surface != nullptr ? meet(*part, *place.surface, row)
                                             : meetBackground(*part, row);
         }
@@ -260,6 +275,7 @@ void Column::paintFarToNear(Part& part) {
     for (const std::size_t index : order) {
         const Surface& surface = part.surfaces[index];
         for (int row = surface.firstRow; row < surface.lastRow; ++row) {
+            if (!surface.isMet(part.view, part.ray, rows_.middle(row))) continue;
             std::vector<Mark>& marks = marks_[static_cast<std::size_t>(row)];
             behind.swap(marks);
             marks.clear();

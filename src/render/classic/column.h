@@ -5,6 +5,7 @@
 #include "render/classic/colouring.h"
 #include "render/classic/surfaces.h"
 
+#include <cstddef>
 #include <memory>
 #include <optional>
 #include <vector>
@@ -22,6 +23,7 @@ struct Part {
     std::vector<TileSpan> spans;
     std::vector<BlockMet> blocks;
     std::vector<Surface> surfaces;
+    std::size_t objects = 0;     // of the surfaces, the first ones
     std::vector<int> overdrawn;  // by row: index in `surfaces` of a portal that is drawn over
                                  // what stands before it, or -1; empty if no row has one
 
@@ -45,6 +47,10 @@ struct Mark {
     const Surface* surface = nullptr;  // null for the floor, the sky and the haze beyond `far`
     Shown shown;
 };
+
+// The most that a row shows, one thing behind the other; farther ones are left out, which bounds
+// the time of a picture before a field of glass. The fast renderer has such a limit for a column.
+inline constexpr std::size_t kMostMarks = 128;
 
 class Column {
 public:

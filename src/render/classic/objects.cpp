@@ -1,5 +1,6 @@
 // The objects that a column meets.
 #include "base/angle.h"
+#include "base/sort.h"
 #include "render/classic/surfaces.h"
 
 #include <algorithm>
@@ -38,6 +39,7 @@ void gatherObjects(const Scenery& scenery, std::vector<Surface>& surfaces) {
         surface.passing = Passing::object;
         surface.object = static_cast<int>(i);
         surface.along = along;
+        surface.nearest = surface.farthest = depth;
         surface.textureBottom = object.z.value() - view.storey;
         surface.textureTop = surface.textureBottom + object.height.value();
         surface.stretch = stretch;
@@ -53,6 +55,7 @@ void gatherObjects(const Scenery& scenery, std::vector<Surface>& surfaces) {
         surface.lastRow = scenery.rows.firstBelow(std::max(top, bottom));
         if (surface.firstRow < surface.lastRow) surfaces.push_back(surface);
     }
+    mergeSort(surfaces, [](const Surface& a, const Surface& b) { return a.nearest < b.nearest; });
 }
 
 void hideBehindFirstBlock(std::vector<Surface>& surfaces) {

@@ -10,6 +10,9 @@ namespace {
 
 using What = FilledRows::What;
 
+// A point may be rounded to just behind the end of its tile.
+constexpr double kRounded = 1.0 + 1e-9;
+
 // A block, the way over it, and its texture's extent.
 struct Block {
     const CellBlueprint* blueprint = nullptr;
@@ -315,6 +318,7 @@ private:
         surface.tileX = span.x;
         surface.tileY = span.y;
         surface.nearest = span.enter * ray_.depthPerAlong;
+        surface.farthest = span.leave * ray_.depthPerAlong * kRounded;
         surface.thingDistance = distance;
         return surface;
     }
@@ -324,12 +328,6 @@ private:
         const double y = span.y + 0.5 - view_.eyeY;
         const double z = middleHeight - view_.eyeZ;
         return x * x + y * y + z * z;
-    }
-
-    // Whether the ray of a row meets a plane ahead: not at the horizon, nor beyond it.
-    bool meetsPlane(const Surface& plane, int row) const {
-        const double depth = plane.depthAt(view_, ray_, rows_.middle(row));
-        return depth > 0.0 && depth < std::numeric_limits<double>::infinity();
     }
 
     // Adds the rows between two edges in the picture, in either order.
@@ -345,7 +343,8 @@ private:
                 ++surface.firstRow;
                 surface.lastRow = std::min(surface.lastRow, rows_.rows - 1);
             } else {
-                if (surface.lastRow < rows_.rows && meetsPlane(surface, surface.lastRow))
+                if (surface.lastRow < rows_.rows &&
+                    surface.isMet(view_, ray_, rows_.middle(surface.lastRow)))
                     ++surface.lastRow;
                 surface.nearest = 0.0;
             }
@@ -374,8 +373,8 @@ int RowGrid::firstBelow(double y) const {
     return row > 0.0 ? (row < rows ? static_cast<int>(row) : rows) : 0;
 }
 
-void gatherSurfaces(const Scenery& scenery, const std::vector<TileSpan>& spans,
-                    std::vector<BlockMet>& blocks, std::vector<Surface>& surfaces) {
+std::size_t gatherSurfaces(const Scenery& scenery, const std::vector<TileSpan>& spans,
+                           std::vector<BlockMet>& blocks, std::vector<Surface>& surfaces) {
     surfaces.clear();
     blocks.clear();
     gatherObjects(scenery, surfaces);
@@ -383,6 +382,11 @@ void gatherSurfaces(const Scenery& scenery, const std::vector<TileSpan>& spans,
     for (int i = 0; i < static_cast<int>(spans.size()) && gathering.addTile(i); ++i) {
     }
     if (scenery.classic.columnDepth) hideBehindFirstBlock(surfaces);
+    const auto isObject = [](const Surface& surface) {
+        return surface.what == FilledRows::What::object;
+    };
+    return static_cast<std::size_t>(std::find_if_not(surfaces.begin(), surfaces.end(), isObject) -
+                                    surfaces.begin());
 }
 
 }  // namespace slicecast::classic

@@ -10,7 +10,9 @@
 #include "render/trace.h"
 #include "world/world.h"
 
+#include <cstddef>
 #include <cstdint>
+#include <limits>
 #include <vector>
 
 namespace slicecast::classic {
@@ -55,7 +57,8 @@ struct Surface {
     int firstRow = 0;  // it covers [firstRow, lastRow), at least one row
     int lastRow = 0;
     double along = 0.0;       // of upright things: position on the ray
-    double nearest = 0.0;     // least depth of any of its points
+    double nearest = 0.0;     // no point of it is nearer
+    double farthest = 0.0;    // nor farther, but for seams
     Incline plane;            // of planes
     double textureTop = 0.0;  // of upright things: heights of the texture's ends
     double textureBottom = 0.0;
@@ -73,6 +76,12 @@ struct Surface {
     double depthAt(const View& view, const ColumnRay& ray, double y) const {
         return isUpright() ? along * ray.depthPerAlong
                            : view.depthOfPlane(plane.height, y, plane.climb / ray.depthPerAlong);
+    }
+    // Whether a row's ray meets it ahead: a plane not at the horizon, nor beyond it, nor where the
+    // ray runs along a slope.
+    bool isMet(const View& view, const ColumnRay& ray, double y) const {
+        const double depth = depthAt(view, ray, y);
+        return depth >= 0.0 && depth < std::numeric_limits<double>::infinity();
     }
 };
 
@@ -99,13 +108,14 @@ struct Scenery {
     double begins = 0.0;         // nothing is visible at a smaller depth
 };
 
-// Refills both lists. Surfaces are in this order: objects, then near tiles before far ones, and for
-// each block the faces by which it is left before those by which it is entered. Skips everything
-// behind a portal tile.
-void gatherSurfaces(const Scenery& scenery, const std::vector<TileSpan>& spans,
-                    std::vector<BlockMet>& blocks, std::vector<Surface>& surfaces);
+// Refills both lists. Surfaces are in this order: objects, near ones first; then near tiles before
+// far ones, and for each block the faces by which it is left before those by which it is entered.
+// Skips everything behind a portal tile. Returns the number of objects.
+std::size_t gatherSurfaces(const Scenery& scenery, const std::vector<TileSpan>& spans,
+                           std::vector<BlockMet>& blocks, std::vector<Surface>& surfaces);
 
-// Adds the objects that the column meets to an empty list. In objects.cpp, like the next:
+// Adds the objects that the column meets to an empty list, near ones first. In objects.cpp, like
+// the next:
 void gatherObjects(const Scenery& scenery, std::vector<Surface>& surfaces);
 // Removes objects behind the first block.
 void hideBehindFirstBlock(std::vector<Surface>& surfaces);
