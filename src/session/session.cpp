@@ -523,6 +523,11 @@ FrameReport Session::measure(int width, int height) {
     return renderer_.report();
 }
 
+std::optional<OldWayView> Session::tryOldWay(int number) const {
+    return slicecast::tryOldWay(world_, eye(), player_.flying, options_.render, options_.classic,
+                                number);
+}
+
 double Session::classicShare() const {
     if (options_.compare > 0.0) return options_.compare;
     return options_.method == DrawMethod::classic ? 1.0 : 0.0;

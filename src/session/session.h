@@ -16,6 +16,7 @@
 #include "render/options.h"
 #include "session/edit_cells.h"
 #include "session/light_presets.h"
+#include "session/old_way_view.h"
 #include "session/options.h"
 #include "session/phase_clock.h"
 #include "session/recording.h"
@@ -156,6 +157,8 @@ public:
     // The player before the last step; after a leap, as now.
     const Player& beforeStep() const { return previous_; }
     const SessionOptions& options() const { return options_; }
+    // Whether the old ways that are set show in one of many views.
+    std::optional<OldWayView> tryOldWay(int number) const;
     // Of the last picture: of the exact method's part, if it has one, but of all its light.
     const FrameReport& report() const { return report_; }
     std::int64_t steps() const { return steps_; }

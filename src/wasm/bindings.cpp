@@ -60,6 +60,7 @@ struct SlicecastSession {
     PackedValues packed;
     double view[6] = {};                        // of slicecast_view
     double heard[1 + 4 * Hearing::kMost] = {};  // of slicecast_hear
+    double tried[8] = {};                       // of slicecast_tryOldWay
     double spot[4] = {};                        // of slicecast_project and slicecast_spot
     uint32_t supplied[2] = {};  // address and bytes of the pixels of slicecast_supply
 
@@ -389,6 +390,18 @@ EMSCRIPTEN_KEEPALIVE const char* slicecast_leftOut(SlicecastSession* session) {
             json.text(sentence);
     }
     return session->give(json.endArray().str());
+}
+
+EMSCRIPTEN_KEEPALIVE const double* slicecast_tryOldWay(SlicecastSession* session, int32_t number) {
+    const Session* game = session->game();
+    const std::optional<OldWayView> view = game != nullptr ? game->tryOldWay(number) : std::nullopt;
+    if (!view) return nullptr;
+    const Eye& eye = view->eye;
+    const double numbers[] = {
+        view->share,   static_cast<double>(eye.map), eye.x.value(), eye.y.value(),
+        eye.z.value(), eye.headingDegrees,           eye.look,      view->flying ? 1.0 : 0.0};
+    std::copy(std::begin(numbers), std::end(numbers), session->tried);
+    return session->tried;
 }
 
 EMSCRIPTEN_KEEPALIVE const char* slicecast_state(SlicecastSession* session) {

@@ -164,6 +164,13 @@ const char* slicecast_oldWays(SlicecastSession* session);
 // the exact method and without a game.
 const char* slicecast_leftOut(SlicecastSession* session);
 
+// Draws a small picture of the scene with the options of the classic method, as they are, and one
+// without them: the share of the pixels that look different, less close to a wall; then the view,
+// as for slicecast_setEye, and 1 if it is one of a player who flies. The views are numbered from 0,
+// which is the present one. Valid until the session's next slicecast_tryOldWay. Null behind the
+// last view, and without a game.
+const double* slicecast_tryOldWay(SlicecastSession* session, int32_t number);
+
 // The player after the last step: {"map", "mapName", "x", "y", "z", "feet", "heading", "look",
 // "speed", "flying", "swimming", "crouched", "onGround", "gate", "intensity", "multiplier",
 // "steps", "fingerprint"}: the map's number, x, y, z of the eye and height of the feet in units,

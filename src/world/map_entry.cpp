@@ -9,11 +9,9 @@
 #include <optional>
 
 namespace slicecast {
-namespace {
 
-// The height nearest to `wanted` at which a player can stand in the middle of a tile.
-std::optional<Coordinate> placeIn(const World& world, int mapIndex, int tileX, int tileY,
-                                  Coordinate wanted) {
+std::optional<Coordinate> findFooting(const World& world, int mapIndex, int tileX, int tileY,
+                                      Coordinate wanted) {
     const Map& map = world.maps[static_cast<std::size_t>(mapIndex)];
     const Coordinate x = {tileEdge(tileX).raw + tileEdge(1).raw / 2};
     const Coordinate y = {tileEdge(tileY).raw + tileEdge(1).raw / 2};
@@ -37,6 +35,8 @@ std::optional<Coordinate> placeIn(const World& world, int mapIndex, int tileX, i
     return best;
 }
 
+namespace {
+
 // Begins at a tile of the map.
 MapEntry findAround(const World& world, int mapIndex, int middleX, int middleY, Coordinate wanted) {
     const Map& map = world.maps[static_cast<std::size_t>(mapIndex)];
@@ -57,7 +57,8 @@ MapEntry findAround(const World& world, int mapIndex, int middleX, int middleY, 
             for (int x = wholeRow ? west : middleX - ring; x <= last;
                  x += wholeRow ? 1 : 2 * ring) {
                 if (!map.contains(x, y)) continue;
-                if (const std::optional<Coordinate> feet = placeIn(world, mapIndex, x, y, wanted)) {
+                if (const std::optional<Coordinate> feet =
+                        findFooting(world, mapIndex, x, y, wanted)) {
                     return {tileEdge(x) + half, tileEdge(y) + half, *feet, true};
                 }
             }

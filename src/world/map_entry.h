@@ -9,6 +9,8 @@
 
 #include "base/coordinate.h"
 
+#include <optional>
+
 namespace slicecast {
 
 struct Position;
@@ -20,6 +22,10 @@ struct MapEntry {
     Coordinate feet;
     bool stands = false;  // there is room for a standing player; false in the air
 };
+
+// The height nearest to `wanted` at which a player can stand in the middle of a tile.
+std::optional<Coordinate> findFooting(const World& world, int map, int tileX, int tileY,
+                                      Coordinate wanted);
 
 // `map` must be an index in World::maps. Begins at the map's middle, and takes the lowest ground.
 MapEntry findMapEntry(const World& world, int map);

@@ -66,6 +66,47 @@ test('an old way is drawn left of the divider, which mouse and keys move', async
   assert.ok(!(await page.locator('#divider').isVisible()));
 });
 
+const placeText = (page) => page.textContent('[data-lab="way-place"] [role="status"]');
+const told = (page, text) =>
+  page.waitForFunction(
+    (wanted) =>
+      document.querySelector('[data-lab="way-place"] [role="status"]').textContent === wanted,
+    text,
+  );
+
+test('"Show me" goes where an old way matters, or says that it does nowhere', async (t) => {
+  const { page } = await openLab(t);
+  assert.ok(!(await page.locator('[data-lab="way-show"]').isVisible()), 'there is nothing to show');
+  const view = () => page.evaluate(() => window.slicecast.currentView);
+  const start = await view();
+
+  await page.selectOption('#lab-way', 'Big pixels');
+  await page.evaluate(() => window.slicecast.set('compare', 0.9));
+  await page.click('[data-lab="way-show"]');
+  await told(page, 'It shows from here.');
+  assert.deepEqual(await view(), start);
+  assert.equal(await option(page, 'compare'), '0.5', 'the divider is in the middle');
+
+  await page.selectOption('#lab-way', 'A drifting horizon');
+  assert.equal(await placeText(page), '', 'that was of another way');
+  await page.click('[data-lab="way-show"]');
+  await told(page, 'It shows here.');
+  const above = await view();
+  assert.ok(above.z > start.z, 'it sinks only for who is higher than the start');
+  assert.ok(await page.evaluate(() => window.slicecast.tryOldWay(0).share > 0.008));
+
+  await page.selectOption('#lab-way', 'Portals drawn over');
+  await page.click('[data-lab="way-show"]');
+  await told(page, 'No place in this scene shows it.');
+  assert.deepEqual(await view(), above);
+
+  // Another choice ends a search
+  await page.click('[data-lab="way-show"]');
+  await page.selectOption('#lab-way', '');
+  assert.ok(!(await page.locator('[data-lab="way-show"]').isVisible()));
+  assert.equal(await placeText(page), '');
+});
+
 test('photo mode hides the controls, and saves the picture in the chosen size', async (t) => {
   const { page } = await openLab(t);
   await page.click('#lab-minimap');

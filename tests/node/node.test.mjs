@@ -312,7 +312,10 @@ test('the old ways of drawing, by name, beside the exact picture', async () => {
 
   for (const [option, value] of Object.entries(fishEye.options)) scene.set(option, value);
   scene.set('method', 'classic');
-  assert.ok(scene.leftOut.every((sentence) => sentence.endsWith('.')));
+  assert.deepEqual(scene.leftOut, [], 'without such a way the picture is the exact one');
+  scene.set('classic.oneLevel', 'on');
+  assert.ok(scene.leftOut.length > 0 && scene.leftOut.every((sentence) => sentence.endsWith('.')));
+  scene.set('classic.oneLevel', 'off');
   const old = scene.pixels(size);
   scene.set('method', 'exact');
   scene.set('compare', 0.5);
@@ -324,6 +327,31 @@ test('the old ways of drawing, by name, beside the exact picture', async () => {
   scene.set('compare', 0);
   assert.deepEqual(scene.trace(20, size).ray, exactTrace.ray);
   assert.ok(isSame(scene.pixels(size), exact, [0, 96]));
+  scene.free();
+});
+
+// Trying moves nobody, and finds what the scene has.
+test('views are tried for an old way of drawing', async () => {
+  const scene = await load('first-walk');
+  const before = scene.currentView;
+  assert.equal(scene.tryOldWay(0).share, 0, 'without an old way there is nothing to see');
+  assert.deepEqual(scene.tryOldWay(0).view, before);
+  const most = (option, value) => {
+    const standard = scene.get(option);
+    scene.set(option, value);
+    let best = { share: 0 };
+    let tried;
+    for (let number = 0; (tried = scene.tryOldWay(number)) !== null; ++number)
+      if (tried.share > best.share) best = tried;
+    scene.set(option, standard);
+    return best;
+  };
+  assert.ok(most('classic.roofs', 'missing').share > 0.1);
+  const drifting = most('classic.driftingHorizon', 'on');
+  assert.ok(drifting.share > 0.1 && drifting.view.z > before.z, 'from higher than the start');
+  assert.equal(most('classic.portalsOverdrawn', 'on').share, 0, 'it has no portal');
+  assert.deepEqual(scene.currentView, before);
+  assert.equal(scene.tryOldWay(-1), null);
   scene.free();
 });
 
@@ -349,6 +377,7 @@ test('every call on a freed scene says so', async () => {
     ['step', 0],
     ['reset'],
     ['hits', 0],
+    ['tryOldWay', 0],
     ['trace'],
     ['pixels', null],
     ['cast', null],

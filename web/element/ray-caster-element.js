@@ -299,6 +299,10 @@ export class RayCaster extends Base {
     return this.#engine('blueprints').questions.blueprints(map);
   }
 
+  tryOldWay(number) {
+    return this.#engine('tryOldWay').questions.tryOldWay(number);
+  }
+
   setCell(map, level, x, y, character) {
     this.#engine('setCell').questions.setCell(map, level, x, y, character);
   }

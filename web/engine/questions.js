@@ -113,6 +113,16 @@ export class Questions {
     return levels[level];
   }
 
+  // Whether the classic options, as they are, show in one of many views: {share, flying, view}.
+  // Null behind the last one.
+  tryOldWay(number) {
+    const at = this.#call('tryOldWay', number);
+    if (at === 0) return null;
+    const [share, map, x, y, z, heading, look, flying] = this.#numbers(at);
+    const view = { map: this.#mapNames[map], x, y, z, heading, look };
+    return { share, flying: flying === 1, view };
+  }
+
   // The blocks of the map's legend, with their characters.
   blueprints(map) {
     return this.#json('blueprints', this.#mapIndex('blueprints', map));

@@ -160,6 +160,10 @@ class Scene {
     return this.#running.questions.blueprints(map);
   }
 
+  tryOldWay(number) {
+    return this.#running.questions.tryOldWay(number);
+  }
+
   setCell(map, level, x, y, character) {
     this.#running.questions.setCell(map, level, x, y, character);
   }

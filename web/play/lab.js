@@ -7,6 +7,7 @@
 
 import { isFinger } from '../element/details.js';
 import { Divider } from './divider.js';
+import { findOldWay } from './lab-places.js';
 import { optionRow } from './lab-rows.js';
 
 const kRefresh = 300; // milliseconds between two checks for changes by keys
@@ -114,6 +115,7 @@ export class Lab {
   #divider;
   #timer = 0;
   #ways = [];
+  #search = null; // for a place that shows an old way
 
   constructor(sheet, caster, { settings, photo, benchmark, ...others }) {
     this.#sheet = sheet;
@@ -144,6 +146,7 @@ export class Lab {
       });
     find('close').addEventListener('click', () => this.close());
     find('way').addEventListener('input', ({ target }) => this.#choose(target.value));
+    find('way-show').addEventListener('click', () => this.#showWay());
     sheet.addEventListener('keydown', (event) => {
       if (event.key !== 'Escape') return;
       event.stopPropagation();
@@ -176,6 +179,7 @@ export class Lab {
 
   close() {
     clearInterval(this.#timer);
+    this.#search?.abort();
     this.#sheet.hidden = true;
     document.body.classList.remove('lab-open');
     const button = document.getElementById('open-lab');
@@ -222,6 +226,10 @@ export class Lab {
   }
 
   #choose(name) {
+    this.#search?.abort();
+    const place = this.#sheet.querySelector('[data-lab="way-place"]');
+    place.hidden = name === '';
+    place.querySelector('[role="status"]').textContent = '';
     const way = this.#ways.find((known) => known.name === name);
     this.#sheet.querySelector('[data-lab="way-about"]').textContent =
       way?.description ?? 'Choose an old way of drawing to see it beside the exact picture.';
@@ -230,7 +238,33 @@ export class Lab {
     for (const [option, value] of Object.entries(way?.options ?? {}))
       this.#caster.set(option, value);
     const share = way === undefined ? 0 : Number(this.#caster.get('compare')) || 0.5;
+    this.#share(share);
+  }
+
+  #share(share) {
     this.#caster.set('compare', share);
     this.#divider.show(share);
+  }
+
+  // Goes to a place where the chosen way shows, with the divider in the middle.
+  async #showWay() {
+    this.#search?.abort();
+    this.#search = new AbortController();
+    const { signal } = this.#search;
+    const status = this.#sheet.querySelector('[data-lab="way-place"] [role="status"]');
+    status.textContent = 'Searching …';
+    const found = await findOldWay(this.#caster, signal);
+    if (signal.aborted) return;
+    if (found === null) {
+      status.textContent = 'No place in this scene shows it.';
+      return;
+    }
+    const { isHere, view, flying } = found;
+    if (!isHere) {
+      this.#caster.look(view);
+      this.#caster.flying = flying;
+    }
+    this.#share(0.5);
+    status.textContent = isHere ? 'It shows from here.' : 'It shows here.';
   }
 }
