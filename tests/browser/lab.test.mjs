@@ -83,14 +83,14 @@ test('"Show me" goes where an old way matters, or says that it does nowhere', as
   await page.selectOption('#lab-way', 'Big pixels');
   await page.evaluate(() => window.slicecast.set('compare', 0.9));
   await page.click('[data-lab="way-show"]');
-  await told(page, 'It shows from here.');
+  await told(page, 'It shows in this view.');
   assert.deepEqual(await view(), start);
   assert.equal(await option(page, 'compare'), '0.5', 'the divider is in the middle');
 
   await page.selectOption('#lab-way', 'A drifting horizon');
   assert.equal(await placeText(page), '', 'that was of another way');
   await page.click('[data-lab="way-show"]');
-  await told(page, 'It shows here.');
+  await told(page, 'You are where it shows.');
   const above = await view();
   assert.ok(above.z > start.z, 'it sinks only for who is higher than the start');
   assert.ok(await page.evaluate(() => window.slicecast.tryOldWay(0).share > 0.008));

@@ -265,6 +265,6 @@ export class Lab {
       this.#caster.flying = flying;
     }
     this.#share(0.5);
-    status.textContent = isHere ? 'It shows from here.' : 'It shows here.';
+    status.textContent = isHere ? 'It shows in this view.' : 'You are where it shows.';
   }
 }
