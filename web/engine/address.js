@@ -49,8 +49,8 @@ export function parseView(text, standardLook = 0) {
   return { x, y, z, heading, look, map, ...(mode && { flying: mode === 'fly' }) };
 }
 
-// Reads what look() takes: a view as text, or an object with any of its fields.
-// Fields that are null or undefined stay as they are. Throws a Trouble.
+// Reads what look() takes: a view as text, or an object with any of its fields. Fields that are
+// null or undefined stay as they are. Throws a Trouble.
 export function readView(view) {
   if (typeof view === 'string') return parseView(view, null);
   if (typeof view !== 'object' || view === null)

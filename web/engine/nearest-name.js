@@ -1,4 +1,4 @@
-// Messages about unknown words:
+// Messages about words that nobody knows, and about other values that a method cannot take:
 //
 //     unknown('option', 'fvo', ['fov', 'fog'])
 //       // "Unknown option 'fvo'. Did you mean 'fov'?"

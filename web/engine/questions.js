@@ -113,14 +113,14 @@ export class Questions {
     return levels[level];
   }
 
-  // Whether the classic options, as they are, show in one of many views: {share, flying, view}.
-  // Null behind the last one.
+  // Whether the classic options, as they are, show in one of many views: {share, view}; look()
+  // takes the view. Null behind the last one.
   tryOldWay(number) {
     const at = this.#call('tryOldWay', number);
     if (at === 0) return null;
     const [share, map, x, y, z, heading, look, flying] = this.#numbers(at);
-    const view = { map: this.#mapNames[map], x, y, z, heading, look };
-    return { share, flying: flying === 1, view };
+    const view = { map: this.#mapNames[map], x, y, z, heading, look, flying: flying === 1 };
+    return { share, view };
   }
 
   // The blocks of the map's legend, with their characters.

@@ -1,6 +1,6 @@
 // Searches the scene for a view in which the old way of drawing that is set shows.
 //
-//     const found = await findOldWay(caster, signal);     {isHere, view, flying}, or null
+//     const found = await findOldWay(caster, signal);     {isHere, view}, or null
 
 const kSlice = 12; // milliseconds of search between two pictures of the game
 const kPlain = 0.04; // of the pixels: nobody overlooks it, so the search ends

@@ -259,11 +259,8 @@ export class Lab {
       status.textContent = 'No place in this scene shows it.';
       return;
     }
-    const { isHere, view, flying } = found;
-    if (!isHere) {
-      this.#caster.look(view);
-      this.#caster.flying = flying;
-    }
+    const { isHere, view } = found;
+    if (!isHere) this.#caster.look(view);
     this.#share(0.5);
     status.textContent = isHere ? 'It shows in this view.' : 'You are where it shows.';
   }
