@@ -3,7 +3,7 @@
 //     showSize(caster, output);
 //     fullSize(caster)              {width, height} at rest
 
-const kLargestSide = 4096; // pixels, as in the engine
+import { kLargestSide } from '../element/stage.js';
 
 export function showSize(caster, output) {
   let moving = null; // {width, height}
