@@ -75,8 +75,8 @@ export class ViewOptions {
   }
 
   // Walks or flies as the view says; a view of old links, which does not, flies if the ground is
-  // far below. Whoever walks where nobody has room, or flies far from the map, stands on the nearest
-  // ground.
+  // far below. Whoever walks where nobody has room, or flies far from the map, stands on the
+  // nearest ground.
   #lookFrom() {
     const text = this.#view;
     const view = readable(text);

@@ -63,13 +63,14 @@ struct View {
     // The row of a height at a depth; infinitely high or low at depth 0.
     double rowOf(double z, double depth) const;
     // The depth of a plane in a row that meets it. It has height z over or under the eye, and
-    // climbs by so much per unit of depth. Infinite for a row that runs along it.
+    // climbs by so much per unit of depth. Infinite for a row that runs along it; never a negative
+    // zero, which has other bits than zero.
 #if defined(__clang__)
     __attribute__((no_sanitize("float-divide-by-zero")))
 #endif
     double
     depthOfPlane(double z, double y, double climb = 0.0) const {
-        return (z - eyeZ) * distance / (up * (horizon - y) - climb * distance);
+        return (z - eyeZ) * distance / (up * (horizon - y) - climb * distance) + 0.0;
     }
 
     // The view behind a portal, in the coordinates of its exit map.
