@@ -207,6 +207,7 @@ test('each method returns what the table says', async () => {
       project: kindOf(element.project(2.5, 3.5, 0.5)),
       cells: kindOf(element.cells('room', 0)),
       blueprints: kindOf(element.blueprints()),
+      tryOldWay: kindOf(element.tryOldWay(0)),
       setCell: kindOf(element.setCell(null, 0, 4, 4, '.')),
       whenReady: kindOf(ready),
       record: kindOf(element.record('room')),

@@ -2,7 +2,16 @@
 
 import assert from 'node:assert/strict';
 import { after, before, test } from 'node:test';
-import { inState, launch, openPage, openScene, pictureHash, pixel, play } from './browser.mjs';
+import {
+  inState,
+  launch,
+  openPage,
+  openScene,
+  pictureHash,
+  pixel,
+  play,
+  playAtOneSize,
+} from './browser.mjs';
 import { hashHeadless } from './headless.mjs';
 import { kBlue, kGreen, kGrey, kRed, kSky, kYellow, roomFiles } from './room.mjs';
 
@@ -118,7 +127,7 @@ test('the screen shows the canvas pixel by pixel', async (t) => {
         localStorage.setItem('slicecast.hints', '["walk","look","jump","fly"]'),
       ),
   });
-  await play(page);
+  await playAtOneSize(page);
   await page.waitForFunction(
     () => getComputedStyle(document.getElementById('bar')).opacity === '0',
   );
