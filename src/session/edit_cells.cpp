@@ -2,11 +2,14 @@
 
 #include "base/hash.h"
 #include "base/printable.h"
+#include "base/sort.h"
 #include "base/words.h"
 #include "world/variants.h"
 
 #include <algorithm>
-#include <tuple>
+#include <iterator>
+#include <optional>
+#include <utility>
 
 namespace slicecast {
 namespace {
@@ -56,6 +59,15 @@ std::string outside(const char* what, int found, int count) {
     return words("found ", what, " ", found, ", expected a whole number from 0 to ", count - 1);
 }
 
+// Nothing for a sign that the legend lacks.
+std::optional<BlueprintId> blueprintOf(const Map& map, std::string_view sign) {
+    if (sign == kEmptySign || sign == " ") return kEmptyCell;
+    for (const LegendEntry& entry : map.legend) {
+        if (entry.sign == sign) return entry.blueprint;
+    }
+    return std::nullopt;
+}
+
 }  // namespace
 
 std::string_view signAt(const World& world, const CellAt& at) {
@@ -81,46 +93,62 @@ std::string cellRow(const World& world, int mapIndex, int level, int y) {
     return row;
 }
 
-std::string CellEdits::set(World& world, const CellAt& at, std::string_view sign) {
+std::string CellEdits::set(World& world, int mapIndex, std::span<const CellChange> changes) {
     const int maps = static_cast<int>(world.maps.size());
-    if (!isWithin(at.map, maps)) return outside("map", at.map, maps);
-    Map& map = world.maps[static_cast<std::size_t>(at.map)];
-    if (!isWithin(at.level, map.levels)) return outside("level", at.level, map.levels);
-    if (!isWithin(at.x, map.width)) return outside("x", at.x, map.width);
-    if (!isWithin(at.y, map.depth)) return outside("y", at.y, map.depth);
+    if (!isWithin(mapIndex, maps)) return outside("map", mapIndex, maps);
+    Map& map = world.maps[static_cast<std::size_t>(mapIndex)];
 
-    BlueprintId blueprint = kEmptyCell;
-    if (sign != kEmptySign && sign != " ") {
-        const auto entry =
-            std::find_if(map.legend.begin(), map.legend.end(),
-                         [sign](const LegendEntry& one) { return one.sign == sign; });
-        if (entry == map.legend.end()) {
+    std::vector<BlueprintId> blueprints;
+    blueprints.reserve(changes.size());
+    std::optional<BlueprintId> known;  // of the sign before
+    std::string_view last;
+    for (const auto& [level, x, y, sign] : changes) {
+        if (!isWithin(level, map.levels)) return outside("level", level, map.levels);
+        if (!isWithin(x, map.width)) return outside("x", x, map.width);
+        if (!isWithin(y, map.depth)) return outside("y", y, map.depth);
+        if (!known || sign != last) known = blueprintOf(map, sign);
+        last = sign;
+        if (!known) {
             return words("found \"", printable(sign), "\", expected one of ", legendText(map),
                          ", as in the map's legend");
         }
-        blueprint =
-            variantAt(entry->blueprint, world.blueprints[entry->blueprint], at.x, at.y, at.level);
-    }
-    const std::size_t cell = map.cellIndex(at.x, at.y, at.level);
-    const BlueprintId current = map.cells[cell];
-    for (const BlueprintId id : {current, blueprint}) {
-        const char* const kind = fixedKind(world.blueprints[id]);
-        if (*kind == '\0') continue;
-        return words("found ", kind, ", \"", world.blueprints[id].name,
-                     id == current ? "\", in that cell" : "\", for that cell",
-                     ", expected a block that stands still, without portals: the others are set up "
-                     "when the scene is loaded");
+        const BlueprintId blueprint = variantAt(*known, world.blueprints[*known], x, y, level);
+        const BlueprintId current = map.cells[map.cellIndex(x, y, level)];
+        for (const BlueprintId id : {current, blueprint}) {
+            const char* const kind = fixedKind(world.blueprints[id]);
+            if (*kind == '\0') continue;
+            return words("found ", kind, ", \"", world.blueprints[id].name,
+                         id == current ? "\", in that cell" : "\", for that cell",
+                         ", expected a block that stands still, without portals: the others are "
+                         "set up when the scene is loaded");
+        }
+        blueprints.push_back(blueprint);
     }
 
-    const auto place = std::lower_bound(
-        edits_.begin(), edits_.end(), std::tie(at.map, cell),
-        [](const Edit& edit, const auto& key) { return std::tie(edit.map, edit.cell) < key; });
-    if (place == edits_.end() || place->map != at.map || place->cell != cell) {
-        if (blueprint != current) edits_.insert(place, {at.map, cell, at, current});
-    } else if (place->before == blueprint) {
-        edits_.erase(place);
+    std::vector<Edit> made;
+    made.reserve(changes.size());
+    for (std::size_t i = 0; i < changes.size(); ++i) {
+        const CellAt at = {mapIndex, changes[i].level, changes[i].x, changes[i].y};
+        const std::size_t cell = map.cellIndex(at.x, at.y, at.level);
+        made.push_back({mapIndex, cell, at, map.cells[cell]});
+        map.setCell(at.x, at.y, at.level, blueprints[i]);
     }
-    map.setCell(at.x, at.y, at.level, blueprint);
+
+    // Of several edits of a cell the first one knows the scene's block.
+    const auto isBefore = [](const Edit& one, const Edit& other) { return one.isBefore(other); };
+    std::vector<Edit> all;
+    mergeSort(made, all, isBefore);
+    all.clear();
+    all.reserve(edits_.size() + made.size());
+    std::merge(edits_.begin(), edits_.end(), made.begin(), made.end(), std::back_inserter(all),
+               isBefore);
+    all.erase(std::unique(all.begin(), all.end(),
+                          [](const Edit& one, const Edit& other) { return one.isOf(other); }),
+              all.end());
+    std::erase_if(all, [&](const Edit& edit) {
+        return edit.map == mapIndex && map.cells[edit.cell] == edit.before;
+    });
+    edits_ = std::move(all);
     return {};
 }
 

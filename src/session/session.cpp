@@ -215,6 +215,7 @@ void Session::drawOverlays(const Eye& seen, const Picture& picture) {
         slowDrawing_.show(picture, o.slowSlices);
     }
     drawDivider(picture, classicColumns(picture.width));
+    if (!marks_.empty()) drawMarks(world_, seen, render, marks_, picture);
     if (o.grid) drawPixelGrid(picture);
     if (o.inspector) {
         const SliceTrace slice =
@@ -394,11 +395,13 @@ bool Session::goToMap(int map) {
     return enter(map, findMapEntry(world_, map));
 }
 
-std::string Session::setCell(const CellAt& at, std::string_view sign) {
-    std::string fault = edits_.set(world_, at, sign);
+std::string Session::setCells(int map, std::span<const CellChange> changes) {
+    std::string fault = edits_.set(world_, map, changes);
     if (!fault.empty()) return fault;
-    if (recorder_ != nullptr)
-        recorder_->add(RecordedCell{at.map, at.level, at.x, at.y, std::string(sign)});
+    if (recorder_ != nullptr) {
+        for (const auto& [level, x, y, sign] : changes)
+            recorder_->add(RecordedCell{map, level, x, y, std::string(sign)});
+    }
     if (!player_.flying && !isFree(world_, travellerOf(player_)))
         slicecast::setFlying(world_, player_, true);
     return {};

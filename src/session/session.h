@@ -9,6 +9,7 @@
 // pictures everywhere.
 #pragma once
 
+#include "overlay/marks.h"
 #include "overlay/minimap.h"
 #include "overlay/slow_drawing.h"
 #include "render/crew_renderer.h"
@@ -121,10 +122,17 @@ public:
     // room. Returns false and changes nothing if there is no such map.
     bool goToMap(int map);
 
-    // Changes a cell of the running world (see CellEdits::set). Returns "" on success, else a
-    // message. The eye stays where it is: a player inside the new block flies until out of it, as
+    // Changes cells of the running world (see CellEdits::set). Returns "" on success, else a
+    // message. The eye stays where it is: a player inside a new block flies until out of it, as
     // after setEye.
-    std::string setCell(const CellAt& at, std::string_view sign);
+    std::string setCells(int map, std::span<const CellChange> changes);
+    std::string setCell(const CellAt& at, std::string_view sign) {
+        const CellChange change = {at.level, at.x, at.y, sign};
+        return setCells(at.map, {&change, 1});
+    }
+
+    // Lines over the picture from now on, instead of those before; see overlay/marks.h.
+    void setMarks(std::vector<Mark> marks) { marks_ = std::move(marks); }
 
     // The game as it is between two steps, and the same again: later steps and pictures are those
     // that followed it. A moment is of this session, or of another one of the same scene. Restoring
@@ -211,6 +219,7 @@ private:
     FrameReport report_;
     SlowDrawing slowDrawing_;
     Minimap minimap_;
+    std::vector<Mark> marks_;
     PhaseClock clock_;
     double drawnFraction_ = 1.0;
     std::int64_t steps_ = 0;

@@ -579,13 +579,38 @@ EMSCRIPTEN_KEEPALIVE const char* slicecast_blueprints(SlicecastSession* session,
         game == nullptr || !hasMap(*game, map) ? "null" : blueprintsJson(game->world(), map));
 }
 
-EMSCRIPTEN_KEEPALIVE const char* slicecast_setCell(SlicecastSession* session, int32_t map,
-                                                   int32_t level, int32_t x, int32_t y,
-                                                   const char* sign) {
+EMSCRIPTEN_KEEPALIVE const char* slicecast_setCells(SlicecastSession* session, int32_t map,
+                                                    const int32_t* cells, int32_t count,
+                                                    const char* signs) {
     Session* game = session->game();
     if (game == nullptr) return session->give("no scene is loaded");
     session->changed();
-    return session->give(game->setCell({map, level, x, y}, sign));
+    std::vector<std::string_view> known;
+    std::vector<CellChange> changes;
+    for (int32_t i = 0; i < count; ++i, cells += 4) {
+        for (; known.size() <= static_cast<std::size_t>(cells[3]); signs += known.back().size() + 1)
+            known.emplace_back(signs);
+        changes.push_back(
+            {cells[0], cells[1], cells[2], known[static_cast<std::size_t>(cells[3])]});
+    }
+    return session->give(game->setCells(map, changes));
+}
+
+EMSCRIPTEN_KEEPALIVE void slicecast_mark(SlicecastSession* session, const double* lines,
+                                         int32_t count) {
+    Session* game = session->game();
+    if (game == nullptr) return;
+    session->changed();
+    std::vector<Mark> marks;
+    for (int32_t i = 0; i < count; ++i, lines += 8) {
+        const auto colour = static_cast<uint32_t>(lines[7]);
+        marks.push_back({static_cast<int>(lines[0]),
+                         {lines[1], lines[2], lines[3]},
+                         {lines[4], lines[5], lines[6]},
+                         {static_cast<uint8_t>(colour >> 16), static_cast<uint8_t>(colour >> 8),
+                          static_cast<uint8_t>(colour), 255}});
+    }
+    game->setMarks(std::move(marks));
 }
 
 EMSCRIPTEN_KEEPALIVE const double* slicecast_spot(SlicecastSession* session, int32_t map, double x,

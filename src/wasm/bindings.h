@@ -281,10 +281,17 @@ const double* slicecast_project(SlicecastSession* session, int32_t map, double x
 const char* slicecast_cells(SlicecastSession* session, int32_t map);
 const char* slicecast_blueprints(SlicecastSession* session, int32_t map);
 
-// Changes a cell of the running world (session/edit_cells.h) until slicecast_reset; `sign` is
-// UTF-8. The eye stays where it is. Returns "" on success, else a message.
-const char* slicecast_setCell(SlicecastSession* session, int32_t map, int32_t level, int32_t x,
-                              int32_t y, const char* sign);
+// Changes cells of the running world (session/edit_cells.h) until slicecast_reset, all or none.
+// `cells` has four numbers for each: level, x, y and the index of its sign; `signs` are UTF-8, one
+// behind the other, each with a zero byte at its end, as many as the greatest index needs. The eye
+// stays where it is. Returns "" on success, else a message.
+const char* slicecast_setCells(SlicecastSession* session, int32_t map, const int32_t* cells,
+                               int32_t count, const char* signs);
+
+// Draws lines over the picture from now on, instead of those before (overlay/marks.h): for each,
+// the number of its map, x, y and z of its ends, and its colour as 0xrrggbb. Another scene has
+// none.
+void slicecast_mark(SlicecastSession* session, const double* lines, int32_t count);
 
 // Where a place of the world appears in a picture of this size, seen from the eye of the last
 // picture. The numbers are those of slicecast_project, then 1 if the place is inside the picture

@@ -74,13 +74,14 @@ bool isOnGround(const Place& place) {
 
 }  // namespace
 
-bool isInSight(const World& world, const Map& map, const Place& from, const Place& to) {
+bool isInSight(const World& world, const Map& map, const Place& from, const Place& to,
+               double ignored) {
     if (!isOnGround(from) || !isOnGround(to)) return false;
     const double length =
         std::sqrt((to.x - from.x) * (to.x - from.x) + (to.y - from.y) * (to.y - from.y) +
                   (to.z - from.z) * (to.z - from.z));
-    if (!(length > kNearPlace)) return true;
-    const double most = 1.0 - kNearPlace / length;
+    if (!(length > ignored)) return true;
+    const double most = 1.0 - ignored / length;
     Borders alongX(from.x, to.x - from.x);
     Borders alongY(from.y, to.y - from.y);
     const auto heightAt = [&](double share) { return from.z + share * (to.z - from.z); };

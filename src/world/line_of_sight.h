@@ -1,10 +1,11 @@
 // Tests whether something hides one place of a map from another, for labels.
 //
 //     isInSight(world, map, eye, {x, y, z})
+//     isInSight(world, map, eye, {x, y, z}, 0.001)      nearly exact
 //
 // Blocks hide places unless they are see-through or open gates; floor and ceiling hide them too,
-// and so do portals, because they lead elsewhere. Objects hide nothing. Ignores the last kNearPlace
-// of the way, because a place may lie on a wall.
+// and so do portals, because they lead elsewhere. Objects hide nothing. Ignores the last part of
+// the way, kNearPlace if not said otherwise, because a place may lie on a wall.
 #pragma once
 
 #include "world/world.h"
@@ -19,6 +20,7 @@ struct Place {
     double z = 0.0;
 };
 
-bool isInSight(const World& world, const Map& map, const Place& from, const Place& to);
+bool isInSight(const World& world, const Map& map, const Place& from, const Place& to,
+               double ignored = kNearPlace);
 
 }  // namespace slicecast

@@ -626,6 +626,9 @@ test('methods that need a scene throw before it has loaded, and whenReady loads 
       cells: [],
       blueprints: [],
       setCell: [null, 0, 1, 1, '.'],
+      setCells: [null, []],
+      mark: [[]],
+      update: ['{}'],
     };
     const codes = {};
     for (const [name, values] of Object.entries(calls)) {
@@ -641,7 +644,7 @@ test('methods that need a scene throw before it has loaded, and whenReady loads 
     return codes;
   });
   assert.deepEqual([...new Set(Object.values(refusals))], ['not-ready']);
-  assert.equal(Object.keys(refusals).length, 15);
+  assert.equal(Object.keys(refusals).length, 18);
   assert.equal(
     await page.evaluate(() => document.getElementById('a').state),
     'idle',

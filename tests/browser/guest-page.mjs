@@ -10,7 +10,7 @@ import { openPage } from './browser.mjs';
 
 export const kRoom = '<ray-caster scene="room" style="width: 320px"></ray-caster>';
 export const kScript = '<script type="module" src="ray-caster.js"></script>';
-const kWaitMilliseconds = 15000;
+const kWaitMilliseconds = 60_000; // only a failure takes so long, and a machine may be busy
 
 export function guestPage(body, { head = '', script = kScript } = {}) {
   return `<!doctype html>

@@ -205,6 +205,50 @@ test('setCell() changes the world of one element, and reset() undoes it', async 
   assert.deepEqual(await elementPixel(page, 'a', 0.5, 0.1), kSky);
 });
 
+test('update() plays another text from the same place, or tells its faults', async (t) => {
+  const page = await openRoom(t);
+  const told = await page.evaluate(async () => {
+    const a = document.getElementById('a');
+    const text = await (await fetch('scenes/room.json')).text();
+    const scene = JSON.parse(text);
+    const fetched = () => performance.getEntriesByType('resource').length;
+    a.look({ x: 2.5, y: 3.5, z: 0.8, heading: 30 });
+    const before = JSON.stringify(a.currentView);
+    const heard = [];
+    for (const type of ['error', 'ready']) a.addEventListener(type, () => heard.push(type));
+    a.set('fov', 75);
+    const count = fetched();
+    scene.title = 'Another';
+    scene.maps[0].levels[0] = scene.maps[0].levels[0].map((row) => row.replaceAll('#', '.'));
+    const good = await a.update(scene);
+    const changed = {
+      good,
+      same: JSON.stringify(a.currentView) === before,
+      fov: a.get('fov'),
+      title: a.world.title,
+      rows: a.cells('room', 0),
+      fetched: fetched() - count,
+    };
+    const bad = await a.update(text.replace('"maps"', '"mops"'));
+    const [first, second] = await Promise.all([a.update(text), a.update(scene)]);
+    const broken = await a.update('{');
+    return { ...changed, bad, first, second, broken, heard, state: a.state, last: a.world.title };
+  });
+  assert.deepEqual(told.good, { faults: [], warnings: [] });
+  assert.ok(told.same);
+  assert.equal(told.fov, '75');
+  assert.equal(told.title, 'Another');
+  assert.equal(told.rows[0], '.......');
+  assert.equal(told.fetched, 0);
+  assert.ok(told.bad.faults.some(({ pointer, found }) => pointer === '' || /mops/.test(found)));
+  assert.equal(told.first, null);
+  assert.deepEqual(told.second.faults, []);
+  assert.equal(told.broken.faults.length, 1);
+  assert.deepEqual([...new Set(told.heard)], ['ready']);
+  assert.equal(told.last, 'Another');
+  assert.equal(told.state, 'paused');
+});
+
 test('an eye inside of a new block stays where it is, and flies out', async (t) => {
   const page = await openRoom(t);
   const told = await page.evaluate(() => {

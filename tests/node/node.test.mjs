@@ -386,6 +386,8 @@ test('every call on a freed scene says so', async () => {
     ['cells', 'room'],
     ['blueprints'],
     ['setCell', 'room', 0, 1, 1, '.'],
+    ['setCells', 'room', []],
+    ['mark', []],
   ]) {
     assert.throws(() => scene[method](...words), told, method);
   }

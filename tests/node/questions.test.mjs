@@ -266,6 +266,80 @@ test('a set cell looks as if the scene had it', async () => {
   for (const one of [scene, written]) one.free();
 });
 
+test('many cells are changed at once, or none', async () => {
+  const one = await load('castle');
+  const many = await load('castle');
+  const { map } = one.currentView;
+  const characters = one
+    .blueprints()
+    .filter(({ moves, gate }) => !moves && !gate)
+    .map(({ character }) => character);
+  const cells = one.cells(map, 0);
+  const changes = [];
+  for (let x = 0; x < 40; ++x)
+    if (characters.includes([...cells[1]][x]))
+      changes.push({ level: 0, x, y: 1, character: [...characters, '.'][x % 3] });
+  assert.ok(changes.length > 20);
+  for (const { level, x, y, character } of changes) one.setCell(map, level, x, y, character);
+  many.setCells(map, changes);
+  assert.deepEqual(many.cells(map), one.cells(map));
+  assert.ok(sameBytes(many.pixels(kSize), one.pixels(kSize)));
+  many.reset();
+  assert.deepEqual(many.cells(map, 0), cells);
+  assert.throws(() => many.setCells(map, [...changes, { level: 0, x: 1, y: 1, character: 'ab' }]), {
+    name: 'RangeError',
+    message: /found "ab", expected one of/,
+  });
+  assert.throws(
+    () => many.setCells(map, [{ level: 0, x: 1, y: 1, character: 'a\0b' }]),
+    RangeError,
+  );
+  assert.deepEqual(many.cells(map, 0), cells);
+  many.setCells(map, []);
+  for (const scene of [one, many]) scene.free();
+});
+
+test('marks are lines over the picture, until they are removed', async () => {
+  const scene = await load('first-walk');
+  const { x, y, z, heading } = scene.currentView;
+  const before = scene.pixels(kSize);
+  const angle = (heading * Math.PI) / 180;
+  const ahead = (far, right) => [
+    x + far * Math.cos(angle) - right * Math.sin(angle),
+    y + far * Math.sin(angle) + right * Math.cos(angle),
+    z,
+  ];
+  scene.mark([{ from: ahead(0.5, -0.1), to: ahead(0.5, 0.1), colour: '#ff0080' }]);
+  const after = scene.pixels(kSize);
+  const marked = [];
+  for (let at = 0; at < after.data.length; at += 4)
+    if (after.data[at] > after.data[at + 1] + 90 && after.data[at + 2] > after.data[at + 1] + 30)
+      marked.push([(at / 4) % kSize.width, Math.floor(at / 4 / kSize.width)]);
+  const ends = [-0.1, 0.1].map((right) => scene.project(...ahead(0.5, right), null, kSize));
+  assert.ok(marked.length > (ends[1].x - ends[0].x) * 0.8);
+  for (const [column, row] of marked) {
+    assert.ok(column + 1 >= ends[0].x && column <= ends[1].x, `${column}`);
+    assert.ok(Math.abs(row + 0.5 - ends[0].y) <= 1, `${row}`);
+  }
+  scene.mark([{ map: scene.currentView.map, from: ahead(0.5, 0), to: ahead(-0.5, 0) }]);
+  assert.ok(!sameBytes(scene.pixels(kSize), before));
+  scene.mark([]);
+  assert.ok(sameBytes(scene.pixels(kSize), before));
+  const good = { from: [1, 1, 1], to: [2, 2, 2] };
+  for (const [line, message] of [
+    [{ ...good, to: [1, 2] }, /mark: found to 1,2 in line 0, expected three numbers/],
+    [{ ...good, from: [1, NaN, 2] }, /mark: found from 1,NaN,2 in line 0, expected three numbers/],
+    [{ ...good, colour: 'red' }, /mark: found colour red in line 0, expected a colour as #c03020/],
+    [{ ...good, map: 'cellar' }, /mark: Unknown map 'cellar'/],
+  ])
+    assert.throws(() => scene.mark([line]), { name: 'RangeError', message });
+  assert.throws(
+    () => scene.mark(Array(16385).fill(good)),
+    /found 16385 lines, expected at most 16384/,
+  );
+  scene.free();
+});
+
 test('an engine that adopted the scene does not change', async () => {
   const create = async () => Engine.create({ files: await readEngine('auto'), canvas: {} });
   const one = await create();
@@ -276,13 +350,13 @@ test('an engine that adopted the scene does not change', async () => {
   const x = cells[0][y].indexOf('.');
   const early = await create();
   assert.equal(early.adopt(one), true);
-  one.questions.setCell(null, 0, x, y, solid.character);
+  one.questions.setCells(null, [{ level: 0, x, y, character: solid.character }]);
   const late = await create();
   assert.equal(late.adopt(one), true);
   assert.notDeepEqual(one.questions.cells(), cells);
   assert.deepEqual(early.questions.cells(), cells);
   assert.deepEqual(late.questions.cells(), cells, 'the scene as it was loaded');
-  late.questions.setCell(null, 0, x, y, solid.character);
+  late.questions.setCells(null, [{ level: 0, x, y, character: solid.character }]);
   assert.deepEqual(late.questions.cells(), one.questions.cells());
   assert.deepEqual(early.questions.cells(), cells);
   for (const engine of [one, early, late]) engine.stop();

@@ -93,6 +93,33 @@ TEST(EditCells, DrawsTheChangedWorld) {
     EXPECT_EQ(drawn(edited).pixels, before);
 }
 
+TEST(EditCells, ChangesManyAtOnceOrNone) {
+    Session one(walledYard());
+    Session many(walledYard());
+    const std::uint64_t before = many.fingerprint();
+    std::vector<CellChange> changes = {
+        {0, 4, 2, "#"}, {2, 6, 3, "ß"}, {0, 3, 5, "."}, {0, 1, 3, "w"}, {0, 4, 2, "ß"}};
+    for (const CellChange& change : changes)
+        EXPECT_EQ(one.setCell({0, change.level, change.x, change.y}, change.sign), "");
+    EXPECT_EQ(many.setCells(0, changes), "");
+    EXPECT_EQ(rows(many, 0), rows(one, 0));
+    EXPECT_EQ(many.fingerprint(), one.fingerprint());
+    EXPECT_NE(many.fingerprint(), before);
+    // Back, in one go and in another order: nothing is left to be undone.
+    EXPECT_EQ(many.setCells(0,
+                            std::vector<CellChange>{
+                                {0, 1, 3, "."}, {0, 3, 5, "#"}, {2, 6, 3, "."}, {0, 4, 2, "."}}),
+              "");
+    EXPECT_EQ(many.fingerprint(), before);
+    changes.push_back({0, 7, 0, "#"});
+    EXPECT_EQ(many.setCells(0, changes), "found x 7, expected a whole number from 0 to 6");
+    EXPECT_EQ(many.fingerprint(), before);
+    EXPECT_EQ(many.setCells(0, {}), "");
+    // Undone to what the scene has, not to what stood there in between.
+    one.reset();
+    EXPECT_EQ(rows(one, 0), rows(many, 0));
+}
+
 TEST(EditCells, KeepsTheEyeInsideOfANewBlock) {
     Session session(walledYard());
     for (int i = 0; i < 10; ++i) session.step({.forward = 1.0});

@@ -14,6 +14,7 @@ import { faultOf, orFault } from './faults.js';
 import { bringMore } from './later-parts.js';
 import { nowPlays, nowStops, nowWakes, players, sharedEngineFiles } from './page-cache.js';
 import { namedScene, readTour } from './source.js';
+import { readSceneObject } from '../engine/scene-object.js';
 import { picturesIn, withReason } from '../engine/source-parts.js';
 import { sceneFault } from '../engine/trouble.js';
 
@@ -26,6 +27,7 @@ export class Game {
   #key = null; // of the current scene
   #turn = 0;
   #tour = null;
+  #pictures = null; // of the current scene, once it is renewed
   #before = new Map(); // option -> its value before an attribute set it
 
   constructor(actions) {
@@ -96,6 +98,7 @@ export class Game {
       if (isAdopted) onProgress(1, engineBytes);
       // Where it really came from, so that pages can tell.
       this.source = { ...found, address: found.address && finalAddress(found.address) };
+      this.#pictures = null;
       this.#tour = recording;
       if (isNew) this.#take(engine, files.kind);
       this.#key = key;
@@ -107,6 +110,32 @@ export class Game {
     }
     if (recording !== null) engine.replay();
     return true;
+  }
+
+  // Plays another text of the present scene from where the player stands: {faults, warnings}; with
+  // faults the old text goes on. Null if anything else was requested meanwhile. Pictures that the
+  // scene has are neither fetched nor decoded again.
+  async renew(scene) {
+    const { engine, source } = this;
+    const turn = ++this.#turn;
+    const text = typeof scene === 'string' ? scene : readSceneObject(scene).text;
+    this.#pictures ??= keptPictures(source);
+    const renewed = {
+      ...source,
+      ...this.#pictures,
+      readText: () => new TextEncoder().encode(text),
+    };
+    const faults = await engine.loadScene(renewed, {
+      keepEye: true,
+      isWanted: () => turn === this.#turn,
+    });
+    if (faults === null) return null;
+    if (faults.length > 0)
+      return { faults: faults.map((fault) => withReason(fault, source.failures)), warnings: [] };
+    this.source = renewed;
+    this.#key = {}; // like no other scene
+    nowPlays(engine, this.#key);
+    return { faults, warnings: engine.warnings };
   }
 
   async #create(files, isStale) {
@@ -194,6 +223,22 @@ export class Game {
     nowStops(this.engine);
     this.engine?.stop();
   }
+}
+
+// Reads each file once, and keeps what is decoded.
+function keptPictures({ readFile }) {
+  const files = new Map(); // name -> bytes
+  const decoded = new Map(); // bytes -> pixels
+  return {
+    pictures: {
+      get: (bytes) => decoded.get(bytes),
+      keep: (bytes, pixels) => decoded.set(bytes, pixels.slice()),
+    },
+    async readFile(name, onBytes) {
+      if (!files.has(name)) files.set(name, await readFile(name, onBytes));
+      return files.get(name);
+    },
+  };
 }
 
 // Fetches the scene's text and, from the page's own origin, the pictures that it names, while the

@@ -304,7 +304,20 @@ export class RayCaster extends Base {
   }
 
   setCell(map, level, x, y, character) {
-    this.#engine('setCell').questions.setCell(map, level, x, y, character);
+    this.#engine('setCell').questions.setCells(map, [{ level, x, y, character }]);
+  }
+
+  setCells(map, changes) {
+    this.#engine('setCells').questions.setCells(map, changes);
+  }
+
+  mark(lines) {
+    this.#engine('mark').questions.mark(lines);
+  }
+
+  async update(scene) {
+    this.#engine('update');
+    return this.#show.renew(scene);
   }
 
   whenReady() {

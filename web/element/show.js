@@ -348,6 +348,13 @@ export class Show {
     this.#again(null);
   }
 
+  // Plays another text of the same scene; see the method update.
+  async renew(scene) {
+    const report = await this.#game.renew(scene);
+    if (report?.faults.length === 0 && this.#life !== null) this.#done(true);
+    return report;
+  }
+
   // Fetches the scene again.
   reload({ keepEye = false } = {}) {
     if (this.#loading !== null) this.#again({ keepEye });

@@ -7,13 +7,15 @@
 //
 // Bad arguments throw a RangeError that says what was found and what is expected.
 
-import { withBytes, withStrings } from './module-memory.js';
+import { withBytes } from './module-memory.js';
 import { misread, unknown } from './nearest-name.js';
 import { readCast, readColumns, readHits, readPacked, readPick, readTrace } from './read-packed.js';
 
 const kColumnsAtOnce = 16; // a few hundred KB of the module's memory
 const kMostColumns = 8192; // as the engine's pictures
 const kCoordinateLimit = 32767; // src/base/coordinate.h
+const kMostMarks = 16384; // src/overlay/marks.h
+const kColour = /^#[0-9a-f]{6}$/i;
 
 export class Questions {
   #module;
@@ -128,18 +130,51 @@ export class Questions {
     return this.#json('blueprints', this.#mapIndex('blueprints', map));
   }
 
-  // Puts the block of a legend character into a cell; "." empties it.
-  setCell(map, level, x, y, character) {
-    for (const [name, value] of Object.entries({ level, x, y })) {
-      if (!Number.isInteger(value)) throw misread('setCell', `${name} ${value}`, 'a whole number');
-    }
-    if (typeof character !== 'string')
-      throw misread('setCell', String(character), "a character of the map's legend");
+  // Puts the blocks of legend characters into cells, all or none: [{level, x, y, character}]; "."
+  // empties a cell.
+  setCells(map, changes) {
+    const characters = new Map(); // -> their numbers
+    const cells = new Int32Array(4 * changes.length);
+    changes.forEach(({ level, x, y, character }, index) => {
+      for (const [name, value] of Object.entries({ level, x, y })) {
+        if (!Number.isInteger(value))
+          throw misread('setCell', `${name} ${value}`, 'a whole number');
+      }
+      if (typeof character !== 'string' || character.includes('\0'))
+        throw misread('setCell', String(character), "a character of the map's legend");
+      if (!characters.has(character)) characters.set(character, characters.size);
+      cells.set([level, x, y, characters.get(character)], 4 * index);
+    });
     const index = this.#mapIndex('setCell', map);
-    const refusal = withStrings(this.#module, [character], (at) =>
-      this.#text(this.#call('setCell', index, level, x, y, at)),
+    const signs = new TextEncoder().encode([...characters.keys(), ''].join('\0'));
+    const refusal = withBytes(this.#module, new Uint8Array(cells.buffer), (at) =>
+      withBytes(this.#module, signs, (signsAt) =>
+        this.#text(this.#call('setCells', index, at, changes.length, signsAt)),
+      ),
     );
     if (refusal !== '') throw new RangeError(`setCell: ${refusal}.`);
+  }
+
+  // Draws lines over the picture from now on: [{map, from: [x, y, z], to: [x, y, z], colour}], the
+  // colour as '#rrggbb'.
+  mark(lines) {
+    const numbers = Float64Array.from(
+      lines.flatMap(({ map, from, to, colour = '#ffffff' }, index) => {
+        const wrong = (what, found, wanted) =>
+          misread('mark', `${what} ${found} in line ${index}`, wanted);
+        for (const [name, point] of Object.entries({ from, to })) {
+          if (point?.length !== 3 || !point.every(Number.isFinite))
+            throw wrong(name, String(point), 'three numbers: x, y and z');
+        }
+        if (!kColour.test(colour)) throw wrong('colour', String(colour), 'a colour as #c03020');
+        return [this.#mapIndex('mark', map), ...from, ...to, parseInt(colour.slice(1), 16)];
+      }),
+    );
+    if (lines.length > kMostMarks)
+      throw misread('mark', `${lines.length} lines`, `at most ${kMostMarks}`);
+    withBytes(this.#module, new Uint8Array(numbers.buffer), (at) =>
+      this.#call('mark', at, lines.length),
+    );
   }
 
   // The number of a map by its name; of the eye's map if none is named.

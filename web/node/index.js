@@ -165,7 +165,15 @@ class Scene {
   }
 
   setCell(map, level, x, y, character) {
-    this.#running.questions.setCell(map, level, x, y, character);
+    this.#running.questions.setCells(map, [{ level, x, y, character }]);
+  }
+
+  setCells(map, changes) {
+    this.#running.questions.setCells(map, changes);
+  }
+
+  mark(lines) {
+    this.#running.questions.mark(lines);
   }
 
   pixels(size = kSize) {
