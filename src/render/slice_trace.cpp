@@ -7,6 +7,7 @@
 #include "render/plane_points.h"
 #include "render/sloped_plane.h"
 
+#include <algorithm>
 #include <bit>
 #include <cmath>
 #include <limits>
@@ -44,6 +45,7 @@ public:
         }
         firstHits_.push_back(trace_.hits.size());
         for (const Span& span : found_.spans) addRun(span);
+        putLayersFirst();
         for (const PortalSpan& span : found_.portals)
             trace_.portals.push_back(
                 {span.portal, span.portals, span.depth, span.first, span.last});
@@ -59,6 +61,15 @@ public:
     }
 
 private:
+    // Rows of floor that go on behind an object were found before it, as one run.
+    void putLayersFirst() {
+        std::vector<SeenPoint>& seen = trace_.seen;
+        const auto opaque = std::find_if(seen.begin(), seen.end(), [this](const SeenPoint& point) {
+            return !trace_.filled[static_cast<std::size_t>(point.run)].layer;
+        });
+        if (opaque != seen.end()) std::rotate(opaque, opaque + 1, seen.end());
+    }
+
     // Repeats the walk of a part to list its tiles and the blocks in them.
     void addPart(const Part& part) {
         const Vista& vista = *part.vista;

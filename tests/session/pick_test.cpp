@@ -337,5 +337,28 @@ TEST(PickSprite, LooksAtTheSideThatIsShown) {
     }
 }
 
+// The floor before it and behind it is one run, which is found before the object.
+TEST(Pick, FindsAnObjectOnAnOpenPlane) {
+    WorldBuilder make;
+    make.texture("grey", {128, 128, 128, 255});
+    make.block('#', {.name = "wall"});
+    make.map("plane", 1, R"(
+..........
+..........
+..........
+..........
+)");
+    make.world.sprites.push_back(makeSprite("figure", imageOf({250, 220, 40, 255}), 1));
+    make.object(5.5, 2.0, 0.0, 0.8, 0.9);
+    make.start(2.5, 2.0);
+    Session session(std::move(make.world));
+    const auto seen = [&](int row) {
+        const SliceTrace trace = session.trace(kPickWidth, kPickHeight, kPickWidth / 2, row);
+        return nearestSeen(session.world(), trace).rows->what;
+    };
+    EXPECT_EQ(seen(kPickHeight / 2 + 4), FilledRows::What::object);
+    EXPECT_EQ(seen(kPickHeight - 1), FilledRows::What::floor);
+}
+
 }  // namespace
 }  // namespace slicecast
