@@ -9,6 +9,7 @@
 import { readFile, rm, writeFile } from 'node:fs/promises';
 import path from 'node:path';
 import process from 'node:process';
+import { fileURLToPath } from 'node:url';
 import { build, transform } from 'esbuild';
 
 const [folder] = process.argv.slice(2);
@@ -21,7 +22,7 @@ const kElement = [
   'ray-caster-more.js',
   'ray-caster-sound.js',
 ];
-const kPages = ['embed.js', 'play/main.js'];
+const kPages = ['embed.js', 'play/main.js', 'edit/main.js', 'edit/text-view.js'];
 const inFolder = (name) => path.resolve(folder, name);
 const kSmall = { target: 'es2022', minify: true, legalComments: 'none', logLevel: 'warning' };
 
@@ -82,6 +83,7 @@ const bundle = async (script, external) => {
     metafile: true,
     format: 'esm',
     external: external.filter((other) => other !== script),
+    nodePaths: [fileURLToPath(new URL('node_modules', import.meta.url))],
     plugins: [smallSheets, versionOfPackage, addressesFrom(script)],
   });
   return { script, text, modules: Object.keys(inputs).map((name) => path.resolve(name)) };
@@ -90,7 +92,7 @@ const bundle = async (script, external) => {
 const scripts = kElement.map(inFolder);
 const bundles = await Promise.all([
   ...scripts.map((script) => bundle(script, scripts)),
-  ...kPages.map((name) => bundle(inFolder(name), scripts)),
+  ...kPages.map((name) => bundle(inFolder(name), [...scripts, inFolder('edit/text-view.js')])),
 ]);
 for (const { script, text } of bundles) {
   // Bundlers cannot follow an address that is known only at run time. Minifying removes the comment
@@ -105,8 +107,7 @@ for (const { script, text } of bundles) {
 const kept = new Set(bundles.map(({ script }) => script));
 const bundled = new Set(bundles.flatMap(({ modules }) => modules));
 for (const module of bundled) {
-  const isOnlyThere = ['element', 'play', 'sound'].includes(
-    path.relative(folder, path.dirname(module)),
-  );
+  const [part] = path.relative(folder, module).split(path.sep);
+  const isOnlyThere = ['element', 'play', 'sound', 'edit'].includes(part);
   if (isOnlyThere && !kept.has(module)) await rm(module);
 }

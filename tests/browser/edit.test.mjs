@@ -1,0 +1,298 @@
+// The editor in a page: worlds are built in the picture, on the plan and as text, walked in, kept,
+// and shared by a link.
+
+import assert from 'node:assert/strict';
+import { readFileSync } from 'node:fs';
+import { after, before, test } from 'node:test';
+import { frames, launch, openPage } from './browser.mjs';
+
+const kCastle = readFileSync(new URL('../../assets/scenes/castle.json', import.meta.url), 'utf8');
+
+let browser;
+before(async () => {
+  browser = await launch();
+});
+after(() => browser.close());
+
+async function openEditor(t, query = '?template=meadow', options = {}) {
+  const opened = await openPage(t, browser, {
+    query: `edit.html${query}`,
+    viewport: { width: 1366, height: 768 },
+    ...options,
+  });
+  await opened.page.waitForFunction(() => document.body.dataset.state === 'ready');
+  return opened;
+}
+
+const told = (page, tell, argument) => page.evaluate(tell, argument);
+const textOf = (page) => told(page, () => window.slicecastEditor.scene.text);
+const settle = async (page) => {
+  await told(page, () => window.slicecastEditor.sync.settled());
+  await frames(page);
+};
+// The rows of a level, in the document and in the engine; they must be the same.
+async function rowsOf(page, level) {
+  await settle(page);
+  const [ours, theirs] = await told(
+    page,
+    (which) => {
+      const { scene, caster, editor } = window.slicecastEditor;
+      return [scene.rows(editor.map, which), caster.cells(editor.mapName)[which]];
+    },
+    level,
+  );
+  const dotted = (rows) => rows.map((row) => row.replaceAll(' ', '.'));
+  if (ours.length > 0) assert.deepEqual(dotted(theirs), dotted(ours));
+  return ours;
+}
+// Where a point of the world is in the window.
+const pointOf = (page, x, y, z) =>
+  told(
+    page,
+    (place) => {
+      const { clientX, clientY } = window.slicecastEditor.caster.project(...place);
+      return [clientX, clientY];
+    },
+    [x, y, z],
+  );
+async function lookAt(page, view) {
+  await told(page, (wanted) => window.slicecastEditor.caster.look(wanted), {
+    ...view,
+    flying: true,
+  });
+  await frames(page);
+}
+
+test('a first block is placed with one click, removed with another, and undone', async (t) => {
+  const { page } = await openEditor(t);
+  const before = await textOf(page);
+  await lookAt(page, { x: 16.5, y: 20.5, z: 1.6, heading: 270, look: -0.5 });
+  const [x, y] = await pointOf(page, 16.5, 17.5, 0);
+  await page.mouse.move(x, y);
+  await page.waitForFunction(
+    () => document.getElementById('where').textContent === 'x 16, y 17, level 0',
+  );
+  await page.mouse.click(x, y);
+  const sign = await told(page, () => window.slicecastEditor.editor.sign);
+  assert.equal((await rowsOf(page, 0))[17][16], sign);
+  // Against its south, then onto its top.
+  await page.mouse.click(...(await pointOf(page, 16.5, 18, 0.5)));
+  assert.equal((await rowsOf(page, 0))[18][16], sign);
+  await page.mouse.click(...(await pointOf(page, 16.5, 18.5, 1)));
+  assert.equal((await rowsOf(page, 1))[18][16], sign);
+  await page.mouse.click(...(await pointOf(page, 16.5, 19, 1.5)), { button: 'right' });
+  assert.equal((await rowsOf(page, 1))[18][16], '.');
+  for (let count = 0; count < 4; ++count) await page.keyboard.press('Control+z');
+  assert.equal(await textOf(page), before);
+  await page.keyboard.press('Control+y');
+  assert.equal((await rowsOf(page, 0))[17][16], sign);
+});
+
+test('a drag puts a row, the other tools do as they say, and the picture follows', async (t) => {
+  const { page } = await openEditor(t);
+  await lookAt(page, { x: 16.5, y: 21.5, z: 3, heading: 270, look: -0.7 });
+  const drag = async (from, to, button = 'left') => {
+    await page.mouse.move(...(await pointOf(page, ...from)));
+    await page.mouse.down({ button });
+    await page.mouse.move(...(await pointOf(page, ...to)), { steps: 8 });
+    await frames(page);
+    await page.mouse.up({ button });
+  };
+  await drag([14.5, 17.5, 0], [18.5, 17.5, 0]);
+  assert.match((await rowsOf(page, 0))[17].slice(13, 20), /^\.([^.])\1{4}\.$/);
+  await page.keyboard.press('KeyX');
+  await page.keyboard.press('3');
+  const third = await told(page, () => window.slicecastEditor.editor.sign);
+  await drag([15.5, 14.5, 0], [17.5, 16.5, 0]);
+  assert.equal((await rowsOf(page, 0))[15].slice(14, 19), `.${third.repeat(3)}.`);
+  await page.keyboard.press('KeyH');
+  await page.mouse.move(...(await pointOf(page, 16.5, 15.5, 1)));
+  await frames(page);
+  for (let notch = 0; notch < 5; ++notch) {
+    await page.mouse.wheel(0, 100);
+    await settle(page);
+  }
+  const half = (await rowsOf(page, 0))[15][16];
+  assert.notEqual(half, third);
+  const [name, top] = await told(
+    page,
+    (sign) => {
+      const { scene, caster } = window.slicecastEditor;
+      const { name: shown, top: height } = caster
+        .blueprints()
+        .find((one) => one.character === sign);
+      return [shown, height, scene.value.blueprints[shown].top];
+    },
+    half,
+  );
+  assert.match(name, /up to 0.5$/);
+  assert.equal(top, 0.5);
+});
+
+test('the plan edits the same world, level by level', async (t) => {
+  const { page } = await openEditor(t);
+  await page.keyboard.press('KeyG');
+  await page.waitForSelector('#plan');
+  await frames(page);
+  const box = await page.locator('#plan').boundingBox();
+  const tile = (column, row) => [
+    box.x + box.width / 2 + (column - 16) * (box.height / 34),
+    box.y + box.height / 2 + (row - 16) * (box.height / 34),
+  ];
+  await page.mouse.move(...tile(10.5, 10.5));
+  await page.mouse.down();
+  await page.mouse.move(...tile(14.5, 10.5), { steps: 6 });
+  await page.mouse.up();
+  assert.match((await rowsOf(page, 0))[10].slice(9, 16), /^\.([^.])\1{4}\.$/);
+  await page.keyboard.press('PageUp');
+  await page.mouse.click(...tile(10.5, 10.5));
+  assert.notEqual((await rowsOf(page, 1))[10][10], '.');
+  await page.mouse.click(...tile(12.5, 10.5), { button: 'right' });
+  await page.keyboard.press('PageDown');
+  await page.mouse.click(...tile(12.5, 10.5), { button: 'right' });
+  assert.equal((await rowsOf(page, 0))[10][12], '.');
+});
+
+test('the text is the same document: typing changes the world, faults leave it', async (t) => {
+  const { page } = await openEditor(t);
+  await page.keyboard.press('KeyJ');
+  await page.waitForSelector('.cm-content');
+  const replaceText = async (from, to) => {
+    await told(
+      page,
+      ([what, by]) => {
+        const { scene } = window.slicecastEditor;
+        const offset = scene.text.indexOf(what);
+        scene.apply([{ offset, length: what.length, content: by }]);
+      },
+      [from, to],
+    );
+    await settle(page);
+  };
+  await page.click('.cm-content');
+  await page.keyboard.press('Control+Home');
+  await page.keyboard.type(' ');
+  assert.equal((await textOf(page)).slice(0, 2), ' {');
+  await replaceText('"floor": "grass"', '"floor": "gras"');
+  await page.waitForSelector('#problems:not([hidden])');
+  assert.match(await page.textContent('#problems li'), /found the name "gras"/);
+  await page.click('#problems li button');
+  assert.match(await page.textContent('.cm-activeLine'), /"floor": "gras"/);
+  assert.equal(await page.locator('.cm-lint-marker-error').count(), 1);
+  await replaceText('"floor": "gras"', '"floor": "sand"');
+  await page.waitForSelector('#problems', { state: 'hidden' });
+  while ((await told(page, () => window.slicecastEditor.history.undo())) !== null);
+  await page.click('.cm-content');
+  await page.keyboard.press('Control+Home');
+  assert.match(await page.textContent('.cm-activeLine'), /^\{/);
+});
+
+test('one walks where one stands, and goes on building', async (t) => {
+  const { page } = await openEditor(t, '?template=garden');
+  await page.keyboard.press('Tab');
+  await page.waitForFunction(() => window.slicecastEditor.caster.entered);
+  const start = await told(page, () => window.slicecastEditor.caster.currentView);
+  await page.keyboard.down('KeyW');
+  await page.waitForFunction((y) => window.slicecastEditor.caster.currentView.y < y - 0.5, start.y);
+  await page.keyboard.up('KeyW');
+  await page.keyboard.press('Tab');
+  await page.waitForFunction(() => window.slicecastEditor.caster.state === 'paused');
+  await settle(page);
+  assert.ok((await told(page, () => window.slicecastEditor.caster.currentView)).y < start.y - 0.4);
+  await page.keyboard.press('KeyW');
+  assert.equal(await told(page, () => window.slicecastEditor.caster.entered), false);
+});
+
+test('what was built is there again, and a link brings it to others', async (t) => {
+  const { page, context, server } = await openEditor(t);
+  await lookAt(page, { x: 16.5, y: 20.5, z: 1.6, heading: 270, look: -0.5 });
+  await page.mouse.click(...(await pointOf(page, 16.5, 17.5, 0)));
+  const text = await textOf(page);
+  await page.click('#open-share');
+  const link = await page.inputValue('#share-link');
+  assert.match(link, /#world=/);
+  assert.ok(link.length < 8000);
+  await page.waitForFunction(() => document.getElementById('kept').textContent.startsWith('Kept'));
+  await page.reload();
+  await page.waitForFunction(() => document.body.dataset.state === 'ready');
+  assert.equal(await textOf(page), text);
+
+  const other = await context.newPage();
+  await other.goto(link);
+  await other.waitForFunction(() => document.body.dataset.state === 'ready');
+  assert.deepEqual(JSON.parse(await textOf(other)), JSON.parse(text));
+  assert.match(await other.textContent('#toast'), /from a link/);
+  await other.goto(`${server.address}edit.html#world=damaged`);
+  await other.reload();
+  await other.waitForFunction(() => document.body.dataset.state === 'failed');
+  assert.match(await other.textContent('#about'), /The link is damaged/);
+  await other.close();
+});
+
+test('an author changes one block of the castle, and the text differs there alone', async (t) => {
+  const { page } = await openEditor(t, '?scene=castle');
+  await lookAt(page, { x: 40.5, y: 20.5, z: 5, heading: 180, look: -0.3 });
+  await page.mouse.click(
+    ...(await told(page, () => {
+      const box = window.slicecastEditor.caster.getBoundingClientRect();
+      return [box.left + box.width / 2, box.top + box.height * 0.7];
+    })),
+  );
+  await settle(page);
+  const after = await textOf(page);
+  assert.equal(after.length, kCastle.length);
+  const differing = [...after].filter((letter, index) => letter !== kCastle[index]);
+  assert.equal(differing.length, 1);
+});
+
+test('a form sets a value, and clearing it removes the key', async (t) => {
+  const { page } = await openEditor(t);
+  const before = await textOf(page);
+  await page.click('#tab-map');
+  await page.click('#part-map summary:has-text("Fog")');
+  const field = page.locator('#part-map .field:has(label:text-is("End")) input');
+  await field.fill('90');
+  await field.press('Tab');
+  await settle(page);
+  assert.equal(await told(page, () => window.slicecastEditor.scene.value.maps[0].fog.end), 90);
+  await page.click('#part-map button:has-text("Remove Fog")');
+  await settle(page);
+  assert.equal(await told(page, () => window.slicecastEditor.scene.value.maps[0].fog), undefined);
+  await page.click('#undo');
+  await page.click('#undo');
+  assert.equal(await textOf(page), before);
+});
+
+test('things are put, moved and removed in the picture', async (t) => {
+  const { page } = await openEditor(t);
+  await lookAt(page, { x: 16.5, y: 21.5, z: 2, heading: 270, look: -0.5 });
+  await page.keyboard.press('KeyT');
+  await page.click('#palette [data-key="sprite oak"]');
+  await page.mouse.click(...(await pointOf(page, 16.5, 17.5, 0)));
+  await settle(page);
+  const objects = () => told(page, () => window.slicecastEditor.scene.value.maps[0].objects);
+  const [oak] = await objects();
+  assert.equal(oak.sprite, 'oak');
+  assert.ok(oak.height > 2, 'as tall as oaks are');
+  assert.ok(Math.abs(oak.x - 16.5) < 0.1 && Math.abs(oak.y - 17.5) < 0.1);
+  await page.mouse.move(...(await pointOf(page, oak.x, oak.y, 0.4)));
+  await frames(page);
+  await page.mouse.down();
+  await page.mouse.move(...(await pointOf(page, 15.7, 17.9, 0)), { steps: 5 });
+  await frames(page);
+  await page.mouse.up();
+  await settle(page);
+  const [moved] = await objects();
+  assert.ok(moved.x < 16, `${moved.x}`);
+  assert.equal(await page.isVisible('#part-thing .field'), true);
+  await page.mouse.click(...(await pointOf(page, moved.x, moved.y, 0.4)), { button: 'right' });
+  await settle(page);
+  assert.deepEqual(await objects(), []);
+});
+
+test('by keys alone a block is placed where the pointer is, and by touch too', async (t) => {
+  const { page } = await openEditor(t, '?template=meadow', { context: { hasTouch: true } });
+  await lookAt(page, { x: 16.5, y: 20.5, z: 1.6, heading: 270, look: -0.5 });
+  await page.touchscreen.tap(...(await pointOf(page, 16.5, 17.5, 0)));
+  assert.notEqual((await rowsOf(page, 0))[17][16], '.');
+});

@@ -1,0 +1,67 @@
+// Worlds in links and templates: each opens as it was, and a stranger's link is bounded.
+
+import assert from 'node:assert/strict';
+import { readFileSync } from 'node:fs';
+import { Buffer } from 'node:buffer';
+import { createRequire } from 'node:module';
+import process from 'node:process';
+import { test } from 'node:test';
+
+import { load } from '../../build/web/node/index.js';
+import { shippedScenes } from '../wasm/load.mjs';
+import { editModules } from './modules.mjs';
+
+const { linkOf, printed, templates, textOf } = await editModules();
+const { deflateSync } = createRequire(new URL('../../tools/package.json', import.meta.url))(
+  'fflate',
+);
+
+const kBase = 'https://example.org/slicecast/edit.html?template=cave';
+const hashOf = (bytes) => `#world=${bytes.toString('base64url')}`;
+
+for (const { name, scene } of templates) {
+  test(`the template ${name} is a scene without faults, and fits into a link`, async () => {
+    const text = printed(scene(), '');
+    assert.deepEqual(JSON.parse(text), JSON.parse(JSON.stringify(scene())));
+    const running = await load(scene());
+    assert.deepEqual(running.warnings, []);
+    running.step(60, { forward: 1 });
+    running.free();
+    const link = linkOf(text, kBase);
+    assert.ok(link.startsWith('https://example.org/slicecast/edit.html?template=cave#world='));
+    assert.deepEqual(JSON.parse(textOf(new URL(link).hash)), scene());
+  });
+}
+
+test('a world that is too large has no link', () => {
+  const links = shippedScenes.map((file) => linkOf(readFileSync(file, 'utf8'), kBase));
+  for (const link of links) assert.ok(link === null || link.length <= 8000);
+  assert.ok(links.includes(null));
+  assert.ok(
+    links.some((link) => link !== null),
+    'small ones have',
+  );
+});
+
+test('damaged and hostile links are refused in words', () => {
+  const link = new URL(linkOf(printed(templates[0].scene(), ''), kBase)).hash;
+  for (const damaged of [
+    '#world=',
+    '#world=%%%',
+    link.slice(0, -20),
+    `${link.slice(0, 40)}AAAA${link.slice(44)}`,
+  ]) {
+    let text = null;
+    try {
+      text = textOf(damaged);
+    } catch (error) {
+      assert.match(error.message, /^The link is damaged/);
+    }
+    if (text !== null) assert.throws(() => JSON.parse(text));
+  }
+  const bomb = Buffer.from(deflateSync(new Uint8Array(64 << 20)));
+  assert.ok(bomb.length < 100_000);
+  const before = process.memoryUsage().rss;
+  assert.throws(() => textOf(hashOf(bomb)), /too large: found more than 4 MB/);
+  assert.ok(process.memoryUsage().rss - before < 48 << 20);
+});

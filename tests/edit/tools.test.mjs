@@ -1,0 +1,212 @@
+// The tools of the editor, without a page: what a stroke over targets does to the document.
+
+import assert from 'node:assert/strict';
+import { test } from 'node:test';
+
+import { editModules } from './modules.mjs';
+
+const modules = await editModules();
+const { Editor, History, SceneDocument, kindsOf, printed, targetOf } = modules;
+
+const kRows = ['######', '#....#', '#.ww.#', '#.ww.#', '#....#', '######'];
+
+function opened(tool) {
+  const scene = new SceneDocument(
+    printed(
+      {
+        textures: { grey: '#808080', red: '#c03020' },
+        blueprints: { wall: { faces: 'grey' }, 'low wall': { top: 0.5, faces: 'red' } },
+        legend: { '#': 'wall', w: 'low wall' },
+        maps: [{ name: 'yard', levels: [kRows], floor: 'grey' }],
+        start: { x: 1.5, y: 1.5 },
+      },
+      '',
+    ),
+  );
+  const history = new History(scene);
+  const editor = new Editor(scene, history, modules[tool]);
+  return { scene, history, editor, rows: (level = 0) => scene.rows(0, level) };
+}
+
+// As a view makes it of a block's face, or of the floor.
+function at(x, y, { level = 0, face = 'top', object = null } = {}) {
+  const sides = { north: [0, -1], south: [0, 1], west: [-1, 0], east: [1, 0] };
+  const [east, south] = sides[face] ?? [0, 0];
+  const up = { top: 1, bottom: -1 }[face] ?? 0;
+  return {
+    map: 0,
+    mapName: 'yard',
+    cell: { level, x, y },
+    before: { level: level + up, x: x + east, y: y + south },
+    face,
+    point: [x + 0.5, y + 0.5, level + 1],
+    object,
+  };
+}
+const floor = (x, y) => ({ ...at(x, y), cell: null, before: { level: 0, x, y } });
+
+test('place puts blocks against faces, a drag puts a line, and a stroke is undone at once', () => {
+  const { scene, history, editor, rows } = opened('place');
+  const before = scene.text;
+  editor.choose({ sign: 'w' });
+  editor.press(floor(1, 1));
+  editor.point(floor(4, 1));
+  editor.release();
+  assert.equal(rows()[1], '#wwww#', 'also where the pointer was too fast');
+  editor.press(at(0, 0));
+  editor.release();
+  assert.equal(rows(1)[0], 'w.....');
+  editor.press(at(2, 2), { removes: true });
+  editor.point(at(3, 2));
+  editor.release();
+  assert.equal(rows()[2], '#....#');
+  assert.equal(history.length, 3);
+  for (let count = 0; count < 3; ++count) history.undo();
+  assert.equal(scene.text, before);
+  editor.press(floor(1, 1));
+  editor.cancel();
+  assert.equal(scene.text, before);
+  assert.equal(editor.stroke, null);
+});
+
+test('marks show the cell where a block would stand, and what would be removed', () => {
+  const { editor } = opened('place');
+  editor.point(floor(1, 1));
+  assert.equal(editor.marks.length, 12);
+  assert.ok(
+    editor.marks.every(({ from, to }) =>
+      [...from, ...to].every((number) => number >= 0 && number <= 2),
+    ),
+  );
+  editor.point(at(2, 2));
+  assert.equal(editor.marks.length, 16, 'the cell and the face');
+  editor.point(null);
+  assert.deepEqual(editor.marks, []);
+});
+
+test('box makes solid, hollow and open boxes; the wheel sets the height', () => {
+  const count = (rows) => rows.join('').replaceAll(/[^w]/g, '').length;
+  for (const [way, counts] of [
+    ['solid', [16, 16, 16]],
+    ['hollow', [16, 12, 16]],
+    ['walls', [12, 12, 12]],
+  ]) {
+    const { editor, rows } = opened('box');
+    editor.choose({ sign: 'w', way });
+    editor.press(floor(1, 1));
+    editor.point(floor(4, 4));
+    assert.equal(rows()[1], kRows[1], 'nothing before the end');
+    assert.equal(editor.marks.length, 12);
+    editor.turn(1);
+    editor.turn(2);
+    editor.release();
+    const walls = way === 'walls' ? 4 : 0; // of the scene, in the middle
+    assert.deepEqual(
+      [0, 1, 2].map((level) => count(rows(level))),
+      [counts[0] + walls, counts[1], counts[2]],
+      way,
+    );
+  }
+});
+
+test('fill takes what is joined and alike, replace the whole map', () => {
+  const filled = opened('fill');
+  filled.editor.choose({ sign: 'w' });
+  filled.editor.press(floor(1, 1));
+  filled.editor.release();
+  assert.deepEqual(filled.rows(), ['######', '#wwww#', '#wwww#', '#wwww#', '#wwww#', '######']);
+  filled.editor.press(at(0, 0), { removes: true });
+  filled.editor.release();
+  assert.equal(filled.rows()[0], '......');
+  const replaced = opened('replace');
+  replaced.editor.choose({ sign: 'w' });
+  replaced.editor.press(at(0, 0));
+  replaced.editor.release();
+  assert.deepEqual(replaced.rows(), ['wwwwww', 'w....w', 'w.ww.w', 'w.ww.w', 'w....w', 'wwwwww']);
+});
+
+test('paint gives a block a kind of its own, and finds one that looks so already', () => {
+  const { scene, editor, rows, history } = opened('paint');
+  const before = scene.text;
+  editor.choose({ texture: 'red' });
+  editor.press(at(2, 0, { face: 'south' }));
+  editor.point(at(3, 0, { face: 'south' }));
+  editor.release();
+  const [, , painted] = rows()[0];
+  assert.notEqual(painted, '#');
+  assert.equal(rows()[0], `##${painted}${painted}##`, 'one kind for both');
+  const kind = kindsOf(scene, 0).find(({ sign }) => sign === painted);
+  assert.deepEqual(kind.blueprint, { faces: { all: 'grey', south: 'red' } });
+  assert.equal(kind.name, 'wall, red');
+  editor.isWhole = true;
+  editor.press(at(2, 0, { face: 'south' }));
+  editor.release();
+  assert.deepEqual(kindsOf(scene, 0).find(({ sign }) => sign === rows()[0][2]).blueprint, {
+    faces: 'red',
+  });
+  history.undo();
+  history.undo();
+  assert.equal(scene.text, before);
+});
+
+test('shape raises and lowers, and finds the kind that has that height', () => {
+  const { scene, editor, rows } = opened('shape');
+  editor.point(at(2, 2));
+  for (let notch = 0; notch < 5; ++notch) editor.turn(1);
+  const raised = kindsOf(scene, 0).find(({ sign }) => sign === rows()[2][2]);
+  assert.deepEqual(raised.blueprint, { faces: 'red' });
+  assert.equal(editor.turn(1), true);
+  assert.deepEqual(rows()[2][2], raised.sign, 'not beyond the cell');
+  for (let notch = 0; notch < 5; ++notch) editor.turn(-1);
+  assert.equal(rows()[2], '#.ww.#', 'the kind that it was');
+  editor.point(at(2, 2, { face: 'bottom' }));
+  editor.turn(2);
+  const lifted = kindsOf(scene, 0).find(({ sign }) => sign === rows()[2][2]);
+  assert.deepEqual(lifted.blueprint, { bottom: 0.2, top: 0.5, faces: 'red' });
+  assert.equal(lifted.name, 'low wall from 0.2 to 0.5');
+});
+
+test('picking chooses the block, and what is gone is chosen no more', () => {
+  const { scene, history, editor } = opened('place');
+  editor.pick(at(2, 2));
+  assert.equal(editor.sign, 'w');
+  editor.pick(at(1, 1));
+  assert.equal(editor.sign, 'w', 'nothing stands there');
+  history.do('Remove', [{ path: ['legend', 'w'], value: undefined }]);
+  assert.equal(editor.sign, '#');
+  assert.equal(scene.value.legend.w, undefined);
+});
+
+test('a pick of the picture becomes a target', () => {
+  const { scene } = opened('place');
+  const pick = {
+    map: 'yard',
+    point: [1, 2, 1],
+    face: 'west',
+    level: 1,
+    tile: [3, 4],
+    object: null,
+    what: 'side',
+  };
+  const { cell, before } = targetOf(pick, scene);
+  assert.deepEqual(
+    [cell, before],
+    [
+      { level: 1, x: 3, y: 4 },
+      { level: 1, x: 2, y: 4 },
+    ],
+  );
+  const onFloor = targetOf({ ...pick, what: 'floor', level: null, face: null }, scene);
+  assert.deepEqual(
+    [onFloor.cell, onFloor.before, onFloor.face],
+    [null, { level: 0, x: 3, y: 4 }, 'top'],
+  );
+  const below = targetOf(
+    { ...pick, what: 'ceiling', level: null, face: null, point: [1, 2, 3] },
+    scene,
+  );
+  assert.deepEqual(below.before, { level: 2, x: 3, y: 4 });
+  assert.equal(targetOf({ ...pick, face: 'bottom', level: 0 }, scene).before, null);
+  assert.equal(targetOf({ ...pick, point: null }, scene), null);
+  assert.equal(targetOf({ ...pick, map: 'elsewhere' }, scene), null);
+});

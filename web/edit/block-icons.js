@@ -1,0 +1,64 @@
+// Draws a kind of block as a small cube, seen from a corner above: its top, its south and its east.
+// Takes a blueprint and pictures; paints a canvas. Knows no document.
+//
+//     paintBlock(canvas, blueprint, pictures);
+//     paintWhole(canvas, image);                  // a thing's picture
+
+import { extentOf, textureOf } from './shapes.js';
+
+const kShade = { top: 0, south: 0.16, east: 0.36 };
+
+export function paintBlock(canvas, blueprint, pictures) {
+  const context = canvas.getContext('2d');
+  const size = canvas.width;
+  context.setTransform(1, 0, 0, 1, 0, 0);
+  context.clearRect(0, 0, size, size);
+  const { low, high, west, north, east, south } = extentOf(blueprint);
+  // Where a corner of the cell lies: u east, v south, h up, from 0 to 1.
+  const half = size / 2;
+  const point = (u, v, h) => [
+    half + (u - v) * half * 0.86,
+    size * 0.98 - half * 0.5 * (2 - u - v) - h * size * 0.5,
+  ];
+  paint('south', point(west, south, high), point(east, south, high), point(west, south, low));
+  paint('east', point(east, south, high), point(east, north, high), point(east, south, low));
+  paint('top', point(west, north, high), point(east, north, high), point(west, south, high));
+
+  // A picture on the parallelogram of three corners.
+  function paint(face, corner, right, down) {
+    const name = textureOf(blueprint, face);
+    const image = name === null ? null : pictures.imageOf(name);
+    context.setTransform(
+      right[0] - corner[0],
+      right[1] - corner[1],
+      down[0] - corner[0],
+      down[1] - corner[1],
+      corner[0],
+      corner[1],
+    );
+    context.imageSmoothingEnabled = false;
+    if (image === null) {
+      if (name === null) return;
+      context.fillStyle = '#6b625a';
+      context.fillRect(0, 0, 1, 1);
+    } else {
+      context.drawImage(image, 0, 0, 1, 1);
+    }
+    context.fillStyle = `rgb(21 19 28 / ${kShade[face]})`;
+    context.globalCompositeOperation = 'source-atop';
+    context.fillRect(0, 0, 1, 1);
+    context.globalCompositeOperation = 'source-over';
+  }
+}
+
+// A whole picture, as large as it fits.
+export function paintWhole(canvas, image) {
+  if (image === null) return;
+  const context = canvas.getContext('2d');
+  const { width, height } = canvas;
+  const scale = Math.min(width / image.width, height / image.height);
+  const [across, down] = [image.width * scale, image.height * scale];
+  context.clearRect(0, 0, width, height);
+  context.imageSmoothingEnabled = false;
+  context.drawImage(image, (width - across) / 2, height - down, across, down);
+}

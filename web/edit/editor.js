@@ -1,0 +1,181 @@
+// What is chosen, and what the pointer does with it: the chosen tool acts on the document.
+// Takes targets from the views; gives changes to the history, and lines to show. Knows no view.
+//
+//     const editor = new Editor(scene, history);
+//     editor.choose({ tool: place });  editor.choose({ sign: '#' });
+//     editor.point(target);                       // the pointer is there; null: nowhere
+//     editor.press(target, { removes: false });   // a stroke begins, goes on by point()
+//     editor.release();
+//     editor.listen((what) => ...);               // 'choice', 'marks'
+//
+// A target is {map, mapName, cell, before, face, point, thing}, where each may be null but the
+// first two: the cell that is pointed at; the free cell before its face, where a block would be
+// placed; its face; the point in units; the path of an object, a lamp or the start. Cells are
+// {level, x, y}.
+
+import { kindsOf } from './kinds.js';
+import { valueAt } from './things.js';
+
+let strokes = 0;
+
+export class Editor {
+  #listeners = [];
+  #target = null;
+  #stroke = null; // {key, targets, removes, height}
+
+  // What is chosen
+  map = 0;
+  level = 0; // of the plan
+  tool;
+  sign = '';
+  texture = null; // to paint with
+  thing = null; // to put: 'start', 'lamp', or {name, height} of a sprite
+  edited = null; // the path of the thing that was last touched
+  way = 'solid'; // of boxes
+  isWhole = false; // Shift is held
+  selection = null; // {from, to}: cells; what is selected in the map
+
+  constructor(scene, history, tool) {
+    this.scene = scene;
+    this.history = history;
+    this.tool = tool;
+    scene.listen(() => this.#check());
+    this.#check();
+  }
+
+  listen(listener) {
+    this.#listeners.push(listener);
+  }
+
+  choose(choice) {
+    Object.assign(this, choice);
+    this.#check();
+    this.#tell('choice');
+    this.#tell('marks');
+  }
+
+  get stroke() {
+    return this.#stroke;
+  }
+
+  get target() {
+    return this.#target;
+  }
+
+  get mapName() {
+    return this.scene.value.maps[this.map].name;
+  }
+
+  // The lines to show over the picture.
+  get marks() {
+    if (this.#stroke !== null && this.tool.show !== undefined)
+      return this.tool.show(this.#stroke, this.#context);
+    const lines = this.#target === null ? [] : this.tool.point(this.#target, this.#context);
+    return lines;
+  }
+
+  point(target) {
+    this.#target = target;
+    if (this.#stroke !== null && target !== null && target.map === this.#stroke.targets[0].map) {
+      const last = this.#stroke.targets.at(-1);
+      if (!isSamePlace(target, last, this.tool.hasThings === true)) {
+        this.#stroke.targets.push(target);
+        this.#drag();
+      }
+    }
+    this.#tell('marks');
+  }
+
+  press(target, { removes = false } = {}) {
+    strokes += 1;
+    this.#stroke = { key: `stroke ${strokes}`, targets: [target], removes, height: 0 };
+    this.#target = target;
+    if (this.tool.hasThings && !removes && target.thing !== null)
+      this.choose({ edited: target.thing });
+    this.#drag();
+    this.#tell('marks');
+  }
+
+  release() {
+    const stroke = this.#stroke;
+    this.#stroke = null;
+    if (stroke === null) return;
+    if (this.tool.end !== undefined) this.#do(this.tool.end(stroke, this.#context), stroke);
+    this.history.close();
+    this.#tell('marks');
+  }
+
+  // Leaves what the stroke has done so far, as if it had not begun.
+  cancel() {
+    const stroke = this.#stroke;
+    this.#stroke = null;
+    if (stroke?.isDone) this.history.undo();
+    this.#tell('marks');
+  }
+
+  // Notches of the wheel, up positive. False if the tool has no use for them.
+  turn(notches) {
+    if (this.#stroke !== null && this.tool.show !== undefined) {
+      this.#stroke.height += Math.sign(notches);
+      this.#tell('marks');
+      return true;
+    }
+    if (this.tool.turn === undefined || this.#target === null) return false;
+    const changes = this.tool.turn(this.#target, notches, this.#context);
+    const { cell } = this.#target;
+    this.history.do(this.tool.label, changes, `turn ${JSON.stringify(cell)}`);
+    this.#tell('marks');
+    return true;
+  }
+
+  // Chooses the block that is pointed at.
+  pick(target) {
+    const { map, cell } = target;
+    if (cell === null) return;
+    const sign = this.scene.sign(map, cell.level, cell.x, cell.y);
+    if (sign !== '.') this.choose({ sign });
+  }
+
+  get #context() {
+    const { scene, sign, texture, thing, way, isWhole } = this;
+    return { scene, sign, texture, thing, way, isWhole, removes: this.#stroke?.removes ?? false };
+  }
+
+  #drag() {
+    if (this.tool.drag !== undefined)
+      this.#do(this.tool.drag(this.#stroke, this.#context), this.#stroke);
+  }
+
+  #do(changes, stroke) {
+    if (changes.length === 0) return;
+    stroke.isDone = true;
+    this.history.do(stroke.removes ? 'Remove' : this.tool.label, changes, stroke.key);
+  }
+
+  // What was chosen may be gone.
+  #check() {
+    const { maps } = this.scene.value;
+    if (this.map >= maps.length) this.map = maps.length - 1;
+    const kinds = kindsOf(this.scene, this.map);
+    if (!kinds.some(({ sign }) => sign === this.sign)) this.sign = kinds[0]?.sign ?? '';
+    const { textures = {}, sprites = {} } = this.scene.value;
+    if (this.thing?.name !== undefined && !Object.hasOwn(sprites, this.thing.name))
+      this.thing = null;
+    this.thing ??= 'start';
+    if (this.edited !== null && valueAt(this.scene.value, this.edited) === undefined)
+      this.edited = null;
+    if (!Object.hasOwn(textures, this.texture ?? ''))
+      this.texture = Object.keys(textures)[0] ?? null;
+  }
+
+  #tell(what) {
+    for (const listener of this.#listeners) listener(what);
+  }
+}
+
+// With `isFine`, also within a cell.
+function isSamePlace(one, other, isFine) {
+  const placeOf = ({ cell, before, face, thing, point }) =>
+    JSON.stringify([cell, before, face, thing, isFine ? point : null]);
+  return placeOf(one) === placeOf(other);
+}

@@ -1,0 +1,321 @@
+// A form for any value of the scene, made from the schema: each key with its words, range and what
+// counts if it is left out. What a form cannot show is edited in other views.
+// Takes a path; gives changes to the history. Knows no tool.
+//
+//     const form = new SchemaForm(parent, editor, schema, { leaveOut: ['levels'] });
+//     form.show(['maps', 0]);        // that value; again after each change
+//     form.show(null);
+
+import { valueAt } from '../things.js';
+import { kindOfValue } from './schema.js';
+
+const kNever = new Set(['$schema', 'levels', 'tiles']); // rows are drawn
+const kSummary = 40; // characters of a value beside its title
+let ids = 0;
+
+export class SchemaForm {
+  #parent;
+  #editor;
+  #schema;
+  #leaveOut;
+  #open = new Set(); // paths, as texts, of parts that are open
+  #path = null;
+
+  constructor(parent, editor, schema, { leaveOut = [] } = {}) {
+    this.#parent = parent;
+    this.#editor = editor;
+    this.#schema = schema;
+    this.#leaveOut = new Set([...kNever, ...leaveOut]);
+    editor.scene.listen(({ isWhole }) => isWhole && this.show(this.#path));
+  }
+
+  show(path) {
+    this.#path = path;
+    if (this.#parent.checkVisibility?.() === false) return;
+    const value = path === null ? undefined : valueAt(this.#editor.scene.value, path);
+    if (value === undefined) {
+      this.#parent.replaceChildren();
+      return;
+    }
+    const focused = this.#parent.contains(document.activeElement)
+      ? document.activeElement.dataset.path
+      : undefined;
+    this.#parent.replaceChildren(...this.#membersOf(path, value));
+    if (focused !== undefined)
+      this.#parent.querySelector(`[data-path="${CSS.escape(focused)}"]`)?.focus();
+  }
+
+  #set(path, value, how = {}) {
+    const key = String(path.findLast((part) => typeof part === 'string') ?? 'scene');
+    this.#editor.history.do(`Change ${key}`, [{ path, value, ...how }], `form ${path}`);
+  }
+
+  #names(what) {
+    const { value } = this.#editor.scene;
+    return what === 'maps' ? value.maps.map(({ name }) => name) : Object.keys(value[what] ?? {});
+  }
+
+  // A line for each key that an object has or may have, or each element of a list.
+  #membersOf(path, value) {
+    const said = this.#schema.at(path);
+    if (said === undefined) return [];
+    if (Array.isArray(value)) {
+      const { item } = kindOfValue(said.kinds, value) ?? {};
+      return [
+        ...value.map((_, index) => this.#line([...path, index], item, `${index + 1}`)),
+        this.#adder(path, value.length, item),
+      ];
+    }
+    const kind = kindOfValue(said.kinds, value);
+    if (kind === undefined) return [];
+    const keys = new Set([...kind.keys.keys(), ...Object.keys(value)]);
+    if (keys.delete('comment')) keys.add('comment'); // last
+    const lines = [...keys]
+      .filter((key) => !this.#leaveOut.has(key))
+      .map((key) =>
+        this.#line([...path, key], kind.keys.get(key) ?? kind.rest, key, kind.needed.includes(key)),
+      );
+    return kind.rest === undefined ? lines : [...lines, this.#namer(path, kind.rest)];
+  }
+
+  #line(path, node, key, isNeeded = false) {
+    const value = valueAt(this.#editor.scene.value, path);
+    const said =
+      node === undefined ? { title: key, about: '', kinds: [] } : this.#schema.of(node, key);
+    const kind = value === undefined ? said.kinds[0] : kindOfValue(said.kinds, value);
+    const isLarge =
+      kind?.type === 'object' || (kind?.type === 'list' && !isPlainList(this.#schema, kind));
+    return isLarge || kind === undefined
+      ? this.#part(path, said, kind, value, { node, key, isNeeded })
+      : this.#field(path, said, kind, value, key);
+  }
+
+  // ---- Lines with a field
+
+  #field(path, said, kind, value, key) {
+    const line = document.createElement('p');
+    line.className = 'field';
+    const label = document.createElement('label');
+    label.textContent = titleOf(said, key);
+    label.title = said.about;
+    const field = this.#control(path, said, kind, value);
+    field.id = `form-${(ids += 1)}`;
+    field.dataset.path = String(path);
+    label.htmlFor = field.id;
+    if (value === undefined) line.classList.add('unset');
+    line.append(label, field);
+    const others = said.kinds.filter((other) => other !== kind && other.type !== 'text');
+    const richer = others.find(({ type }) => type === 'object');
+    if (richer !== undefined) line.append(this.#richer(path, richer, value));
+    return line;
+  }
+
+  #control(path, said, kind, value) {
+    const { fallback } = said;
+    if (kind.type === 'boolean' && fallback !== undefined) {
+      const box = document.createElement('input');
+      box.type = 'checkbox';
+      box.checked = value ?? fallback;
+      box.addEventListener('change', () =>
+        this.#set(path, box.checked === fallback ? undefined : box.checked),
+      );
+      return box;
+    }
+    if (kind.type === 'boolean' || kind.choices) {
+      const choices = kind.choices ?? [true, false];
+      const select = document.createElement('select');
+      const words = (choice) =>
+        choice === true ? 'yes' : choice === false ? 'no' : String(choice);
+      select.append(
+        new Option(fallback === undefined ? '–' : `${words(fallback)} (usual)`, ''),
+        ...choices.map((choice, index) => new Option(words(choice), index)),
+      );
+      select.value = value === undefined ? '' : String(choices.indexOf(value));
+      select.addEventListener('change', () =>
+        this.#set(path, select.value === '' ? undefined : choices[Number(select.value)]),
+      );
+      return select;
+    }
+    const input = document.createElement('input');
+    const isNumber = kind.type === 'number' || kind.type === 'integer';
+    if (isNumber) {
+      input.type = 'number';
+      input.step = kind.type === 'integer' ? 1 : 'any';
+      if (Number.isFinite(kind.least)) input.min = kind.least;
+      if (Number.isFinite(kind.most)) input.max = kind.most;
+    } else if (kind.type === 'text') {
+      if (kind.pattern) input.pattern = kind.pattern.replace(/^\^|\$$/g, '');
+      if (kind.names) input.setAttribute('list', this.#listOf(kind.names));
+    }
+    input.placeholder = fallback === undefined ? '' : textOf(fallback);
+    input.value = value === undefined ? '' : textOf(value);
+    input.spellcheck = false;
+    input.addEventListener('change', () => {
+      if (input.value === '') {
+        this.#set(path, undefined);
+        return;
+      }
+      if (!input.reportValidity()) return;
+      if (isNumber) this.#set(path, Number(input.value));
+      else
+        this.#set(
+          path,
+          kind.type === 'list' ? readList(this.#schema, kind, input.value) : input.value,
+        );
+    });
+    return input;
+  }
+
+  // A list of the scene's names, to choose from.
+  #listOf(what) {
+    const id = `names-${what}`;
+    let list = document.getElementById(id);
+    if (list === null) {
+      list = document.createElement('datalist');
+      list.id = id;
+      document.body.append(list);
+    }
+    list.replaceChildren(...this.#names(what).map((name) => new Option(name)));
+    return id;
+  }
+
+  // From a plain value to one with details: a texture's name becomes its face.
+  #richer(path, kind, value) {
+    const button = document.createElement('button');
+    button.type = 'button';
+    button.className = 'quiet small';
+    button.textContent = '…';
+    button.title = 'More settings';
+    button.setAttribute('aria-label', 'More settings');
+    button.addEventListener('click', () => {
+      const made = this.#schema.sample({ type: 'object' }, (what) => this.#names(what));
+      for (const key of kind.needed)
+        made[key] = this.#schema.sample(kind.keys.get(key), (what) => this.#names(what), key);
+      const first = kind.needed[0] ?? 'all';
+      if (value !== undefined && kind.keys.has(first)) made[first] = value;
+      this.#open.add(String(path));
+      this.#set(path, made);
+    });
+    return button;
+  }
+
+  // ---- Parts that open
+
+  #part(path, said, kind, value, { node, key, isNeeded }) {
+    const name = titleOf(said, key);
+    if (value === undefined) {
+      const button = document.createElement('button');
+      button.type = 'button';
+      button.className = 'quiet add-part';
+      button.textContent = `+ ${name}`;
+      button.title = said.about;
+      button.dataset.path = String(path);
+      button.addEventListener('click', () => {
+        this.#open.add(String(path));
+        this.#set(
+          path,
+          this.#schema.sample(node, (what) => this.#names(what), key),
+        );
+      });
+      return button;
+    }
+    const part = document.createElement('details');
+    const summary = document.createElement('summary');
+    summary.title = said.about;
+    summary.dataset.path = String(path);
+    const title = document.createElement('span');
+    title.textContent = name;
+    const glance = document.createElement('span');
+    glance.className = 'soft';
+    glance.textContent = glanceAt(value);
+    summary.append(title, glance);
+    part.append(summary);
+    part.open = this.#open.has(String(path));
+    const body = document.createElement('div');
+    body.className = 'inside';
+    const fill = () => {
+      body.replaceChildren(...(kind === undefined ? [] : this.#membersOf(path, value)));
+      if (!isNeeded) body.append(this.#remover(path, name));
+    };
+    part.append(body);
+    if (part.open) fill();
+    part.addEventListener('toggle', () => {
+      if (part.open && body.childElementCount === 0) fill();
+      this.#open[part.open ? 'add' : 'delete'](String(path));
+    });
+    return part;
+  }
+
+  #remover(path, name) {
+    const button = document.createElement('button');
+    button.type = 'button';
+    button.className = 'quiet remove-part';
+    button.textContent = `Remove ${name}`;
+    button.dataset.path = `${path} remove`;
+    button.addEventListener('click', () => this.#set(path, undefined));
+    return button;
+  }
+
+  #adder(path, index, item) {
+    const button = document.createElement('button');
+    button.type = 'button';
+    button.className = 'quiet add-part';
+    button.textContent = '+ Another';
+    button.dataset.path = `${path} another`;
+    button.addEventListener('click', () => {
+      this.#open.add(String([...path, index]));
+      this.#set(
+        [...path, index],
+        this.#schema.sample(item, (what) => this.#names(what)),
+      );
+    });
+    return button;
+  }
+
+  // A field for the name of a new entry.
+  #namer(path, node) {
+    const line = document.createElement('p');
+    line.className = 'field';
+    const input = document.createElement('input');
+    input.placeholder = 'new name';
+    input.setAttribute('aria-label', 'New name');
+    input.dataset.path = `${path} name`;
+    input.addEventListener('change', () => {
+      const name = input.value.trim();
+      if (name === '' || valueAt(this.#editor.scene.value, [...path, name]) !== undefined) return;
+      this.#open.add(String([...path, name]));
+      this.#set(
+        [...path, name],
+        this.#schema.sample(node, (what) => this.#names(what), name),
+      );
+    });
+    const label = document.createElement('label');
+    label.textContent = '+ Another';
+    line.append(label, input);
+    return line;
+  }
+}
+
+const titleOf = ({ title }, key) => (/^\d+$/.test(key) ? `${title} ${key}`.trim() : title || key);
+
+const textOf = (value) => (Array.isArray(value) ? value.join(', ') : String(value));
+
+function glanceAt(value) {
+  const text = Array.isArray(value)
+    ? String(value.length)
+    : typeof value === 'object'
+      ? String(value.name ?? value.sprite ?? value.kind ?? value.do ?? '')
+      : String(value);
+  return text.length > kSummary ? `${text.slice(0, kSummary)}…` : text;
+}
+
+// Lists of numbers or texts fit into one field.
+function isPlainList(schema, { item }) {
+  return schema.of(item).kinds.every(({ type }) => ['number', 'integer', 'text'].includes(type));
+}
+
+function readList(schema, { item }, text) {
+  const [{ type }] = schema.of(item).kinds;
+  const parts = text.split(',').map((part) => part.trim());
+  return type === 'text' ? parts : parts.map(Number);
+}

@@ -1,0 +1,129 @@
+// The keys of the editor. Takes actions; knows no view and no document.
+//
+//     listenToKeys(actions, camera, tools, { isWalking() {} });
+//     keyHelp(dialog, button, tools);
+
+const kGroups = [
+  [
+    'Build',
+    [
+      ['Click', 'use the tool'],
+      ['Right click, Delete', 'remove'],
+      ['Middle click, Alt and click', 'choose the block that is pointed at'],
+      ['Enter', 'use the tool where the pointer is'],
+      ['1 to 9', 'choose a block; , and . the one before and after'],
+      ['Escape', 'leave a stroke as if it had not begun'],
+      ['Ctrl Z, Ctrl Y', 'undo, redo'],
+    ],
+  ],
+  [
+    'Move',
+    [
+      ['W A S D, arrows', 'fly'],
+      ['Space or E, C or Q', 'rise, sink'],
+      ['Shift', 'faster'],
+      ['Right button, dragged', 'look around'],
+      ['Wheel', 'ahead and back'],
+      ['Tab', 'walk, and back to building'],
+    ],
+  ],
+  [
+    'See',
+    [
+      ['G', 'picture or plan'],
+      ['J', 'text'],
+      ['Page up, Page down', 'a level up, down, in the plan'],
+    ],
+  ],
+];
+
+export function listenToKeys(actions, camera, tools, { isWalking }) {
+  addEventListener(
+    'keydown',
+    (event) => {
+      if (document.querySelector('dialog[open]') !== null) return;
+      if (event.code === 'Tab' && !event.ctrlKey && !event.altKey && isFree(event.target)) {
+        event.preventDefault();
+        event.stopPropagation();
+        actions.walk();
+        return;
+      }
+      if (isWalking() || !isFree(event.target)) return;
+      if (take(event)) event.preventDefault();
+    },
+    true,
+  );
+  addEventListener('keyup', ({ code, shiftKey }) => {
+    camera.release(code);
+    camera.isFast = shiftKey;
+  });
+  addEventListener('blur', () => camera.stop());
+
+  function take(event) {
+    const { code, key, ctrlKey, metaKey, altKey, shiftKey } = event;
+    if (altKey) return false;
+    if (ctrlKey || metaKey) {
+      if (code === 'KeyZ') (shiftKey ? actions.redo : actions.undo)();
+      else if (code === 'KeyY') actions.redo();
+      else return false;
+      return true;
+    }
+    camera.isFast = shiftKey;
+    if (/^[1-9]$/.test(key)) actions.digit(Number(key));
+    else if (code === 'Delete' || code === 'Backspace') actions.remove();
+    else if (code === 'Enter') {
+      if (event.target.closest?.('button, a, select') !== null) return false;
+      actions.use();
+    } else if (code === 'Escape') actions.cancel();
+    else if (code === 'PageUp') actions.level(1);
+    else if (code === 'PageDown') actions.level(-1);
+    else if (key === ',') actions.next(-1);
+    else if (key === '.') actions.next(1);
+    else if (code === 'KeyG') actions.nextView();
+    else if (code === 'KeyJ') actions.view('text');
+    else if (code === 'KeyO') actions.way();
+    else {
+      const tool = tools.find((one) => `Key${one.key}` === code);
+      if (tool !== undefined) actions.tool(tool.name);
+      else if (code === 'Space' && event.target.closest?.('button, a, select') !== null)
+        return false;
+      else return camera.press(code);
+    }
+    return true;
+  }
+}
+
+// Where one types, keys are letters.
+function isFree(target) {
+  return target.closest?.('input, select, textarea, .cm-editor') === null;
+}
+
+export function keyHelp(dialog, button, tools) {
+  const groups = [
+    ...kGroups,
+    ['Tools', tools.map(({ key, label, about }) => [key, `${label}. ${about}`])],
+  ];
+  dialog.querySelector('.body').append(
+    ...groups.flatMap(([title, rows]) => {
+      const heading = document.createElement('h3');
+      heading.textContent = title;
+      const list = document.createElement('div');
+      list.className = 'keys';
+      for (const [keys, does] of rows) {
+        const key = document.createElement('span');
+        key.append(...keys.split(/(, )/).map((part) => (part === ', ' ? part : keyOf(part))));
+        const what = document.createElement('span');
+        what.textContent = does;
+        list.append(key, what);
+      }
+      return [heading, list];
+    }),
+  );
+  button.addEventListener('click', () => dialog.showModal());
+}
+
+function keyOf(text) {
+  const key = document.createElement('kbd');
+  key.textContent = text;
+  return key;
+}

@@ -1,0 +1,76 @@
+// The kinds of blocks of a scene: blueprints and the characters that stand for them in a map.
+// Takes a document; gives lists and changes. Changes nothing itself.
+//
+//     kindsOf(scene, 0)                        // [{sign, name, blueprint}], in the legend's order
+//     kindOf(scene, 0, '#')                    // one of them, or null
+//     const { sign, changes } = kindFor(scene, 0, 'low wall', { top: 0.5, faces: 'brick' });
+//
+// kindFor finds a kind that looks so already, or adds one: a character is chosen for it.
+
+export const kReserved = '. '; // empty, in all legends
+const kCharacters =
+  '#oxabcdefghijklmnpqrstuvwyzABCDEFGHIJKLMNOPQRSTUVWXYZ0123456789+*=~^%&@$!?/|:;<>()[]{}_-';
+
+export function kindsOf(scene, map) {
+  const { legend = {}, blueprints = {}, maps } = scene.value;
+  const all = { ...legend, ...maps[map]?.legend };
+  return Object.entries(all)
+    .filter(([sign, name]) => !kReserved.includes(sign) && Object.hasOwn(blueprints, name))
+    .map(([sign, name]) => ({ sign, name, blueprint: blueprints[name] }));
+}
+
+export function kindOf(scene, map, sign) {
+  return kindsOf(scene, map).find((kind) => kind.sign === sign) ?? null;
+}
+
+export function kindFor(scene, map, name, blueprint) {
+  const known = kindsOf(scene, map).find((kind) => isSame(kind.blueprint, blueprint));
+  if (known !== undefined) return { sign: known.sign, name: known.name, changes: [] };
+  const { blueprints = {} } = scene.value;
+  const same = Object.keys(blueprints).find((other) => isSame(blueprints[other], blueprint));
+  const chosen = same ?? freeName(name, blueprints);
+  const sign = freeSign(scene, chosen);
+  return {
+    sign,
+    name: chosen,
+    changes: [
+      ...(same === undefined ? [{ path: ['blueprints', chosen], value: blueprint }] : []),
+      { path: ['legend', sign], value: chosen },
+    ],
+  };
+}
+
+// The name itself, or with the first number that makes it new.
+export function freeName(name, taken) {
+  if (!Object.hasOwn(taken, name)) return name;
+  for (let count = 2; ; ++count)
+    if (!Object.hasOwn(taken, `${name} ${count}`)) return `${name} ${count}`;
+}
+
+// A character that no legend has: a letter of the name if one is free.
+function freeSign(scene, name) {
+  const taken = new Set(kReserved);
+  for (const { legend = {} } of [scene.value, ...scene.value.maps])
+    for (const sign of Object.keys(legend)) taken.add(sign);
+  const letters = [...name].filter((letter) => /[a-z]/i.test(letter));
+  for (const sign of [...letters, ...letters.map((letter) => letter.toUpperCase()), ...kCharacters])
+    if (!taken.has(sign)) return sign;
+  for (let code = 0xc0; ; ++code) {
+    const sign = String.fromCodePoint(code);
+    if (/\p{L}/u.test(sign) && !taken.has(sign)) return sign;
+  }
+}
+
+// Notes do not count, nor does the order of keys.
+export function isSame(one, other) {
+  return canonical(one) === canonical(other);
+}
+
+function canonical(value) {
+  if (Array.isArray(value)) return `[${value.map(canonical)}]`;
+  if (typeof value !== 'object' || value === null) return JSON.stringify(value);
+  const keys = Object.keys(value)
+    .filter((key) => key !== 'comment')
+    .sort();
+  return `{${keys.map((key) => `${JSON.stringify(key)}:${canonical(value[key])}`)}}`;
+}

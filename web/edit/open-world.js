@@ -1,0 +1,52 @@
+// Finds the world to edit: of a link, a template, a shipped scene, or what was kept here before.
+// Takes an address; gives the text and where its pictures are. Changes nothing.
+//
+//     const world = await openWorld(new URL(location.href));
+//     {name, text, folder, isStranger}        // `name`: under which it is kept
+//     readerOf(world, own)                    // the bytes of a picture that the scene names
+//
+// edit.html?scene=castle, ?template=cave, #world=... (a stranger's), or nothing.
+
+import { fetchBytes } from '../engine/fetch-bytes.js';
+import { kHome } from '../engine/home.js';
+import { templates } from './files/templates.js';
+import { isWorldLink, textOf } from './files/world-link.js';
+import { printed } from './json-text.js';
+
+const kScenes = new URL('scenes/', kHome);
+const kName = /^[\w-]+$/;
+
+export async function openWorld(address) {
+  const wanted = address.searchParams;
+  if (isWorldLink(address.hash))
+    return { name: 'from a link', text: textOf(address.hash), isStranger: true };
+  const scene = wanted.get('scene');
+  if (scene !== null) {
+    if (!kName.test(scene))
+      throw new Error(
+        `scene: found "${scene}", expected the name of a shipped scene, such as castle`,
+      );
+    const bytes = await fetchBytes(new URL(`${scene}.json`, kScenes));
+    return { name: scene, text: new TextDecoder().decode(bytes), isStranger: false };
+  }
+  const name = wanted.get('template') ?? templates[0].name;
+  const template = templates.find((one) => one.name === name);
+  if (template === undefined)
+    throw new Error(
+      `template: found "${name}", expected ${templates.map((one) => one.name).join(', ')}`,
+    );
+  return {
+    name: `template ${name}`,
+    text: `${printed(template.scene(), '')}\n`,
+    isStranger: false,
+  };
+}
+
+// Pictures of the world itself come first; then the shipped ones, and no others.
+export function readPicture(own, file) {
+  const mine = own.get(file);
+  if (mine !== undefined) return Promise.resolve(mine);
+  if (!/^\.\.\/(textures|see-through|sheets|sprites)\/[\w-]+\.png$/.test(file))
+    return Promise.resolve(null);
+  return fetchBytes(new URL(file, kScenes));
+}

@@ -1,0 +1,176 @@
+// The palette: the kinds of blocks of the map, the textures to paint with, or the things to put, to
+// choose from. Keys 1 to 9 choose the first ones.
+// Takes an editor and pictures; gives choices. Changes nothing but what is chosen.
+//
+//     const palette = new Palette(list, editor, pictures, { add() {} });
+//     palette.digit(3);                       // chooses the third one
+
+import { paintBlock, paintWhole } from './block-icons.js';
+import { kindsOf } from './kinds.js';
+
+const kIcon = 44; // CSS pixels
+const kAdd = { blocks: 'Add a block', textures: 'Add a texture', things: 'Add a thing' };
+
+export class Palette {
+  #list;
+  #editor;
+  #pictures;
+  #actions;
+  #shown = '';
+
+  constructor(list, editor, pictures, actions) {
+    this.#list = list;
+    this.#editor = editor;
+    this.#pictures = pictures;
+    this.#actions = actions;
+    editor.listen((what) => what === 'choice' && this.show());
+    editor.scene.listen(({ isWhole }) => isWhole && this.show());
+    pictures.listen(() => this.#paint());
+    this.show();
+  }
+
+  // 'blocks', 'textures' or 'things'
+  get #what() {
+    const { name, hasThings } = this.#editor.tool;
+    return hasThings ? 'things' : name === 'paint' ? 'textures' : 'blocks';
+  }
+
+  get #entries() {
+    const { scene, map } = this.#editor;
+    const { textures = {}, sprites = {} } = scene.value;
+    switch (this.#what) {
+      case 'textures':
+        return Object.keys(textures).map((name) => ({
+          key: name,
+          name,
+          choice: { texture: name },
+          paint: (icon) => paintBlock(icon, { faces: name }, this.#pictures),
+        }));
+      case 'things':
+        return [
+          { key: 'start', name: 'Start', choice: { thing: 'start' }, paint: paintFlag },
+          { key: 'lamp', name: 'Lamp', choice: { thing: 'lamp' }, paint: paintLamp },
+          ...Object.keys(sprites).map((name) => ({
+            key: `sprite ${name}`,
+            name,
+            choice: { thing: { name, height: this.#usualHeight(name) } },
+            paint: (icon) => paintWhole(icon, this.#pictures.spriteOf(name)),
+          })),
+        ];
+      default:
+        return kindsOf(scene, map).map(({ sign, name, blueprint }) => ({
+          key: sign,
+          name,
+          title: `${name} (${sign})`,
+          choice: { sign },
+          said: blueprint,
+          paint: (icon) => paintBlock(icon, blueprint, this.#pictures),
+        }));
+    }
+  }
+
+  digit(number) {
+    const entry = this.#entries[number - 1];
+    if (entry !== undefined) this.#editor.choose(entry.choice);
+  }
+
+  // The next or the previous one.
+  move(by) {
+    const entries = this.#entries;
+    const index = entries.findIndex(({ key }) => key === this.#chosen);
+    const entry = entries[(index + by + entries.length) % entries.length];
+    if (entry !== undefined) this.#editor.choose(entry.choice);
+  }
+
+  get #chosen() {
+    const { sign, texture, thing } = this.#editor;
+    if (this.#what === 'blocks') return sign;
+    if (this.#what === 'textures') return texture;
+    return thing?.name === undefined ? thing : `sprite ${thing.name}`;
+  }
+
+  show() {
+    const entries = this.#entries;
+    const shown = JSON.stringify([this.#what, entries]);
+    if (shown !== this.#shown) {
+      this.#shown = shown;
+      this.#list.replaceChildren(
+        ...entries.map((entry, index) => this.#button(entry, index)),
+        this.#adding(),
+      );
+      this.#paint();
+    }
+    for (const button of this.#list.querySelectorAll('button[data-key]')) {
+      const isChosen = button.dataset.key === this.#chosen;
+      button.setAttribute('aria-pressed', String(isChosen));
+      if (isChosen) button.scrollIntoView({ block: 'nearest', inline: 'nearest' });
+    }
+  }
+
+  #button({ key, name, title = name, choice }, index) {
+    const button = document.createElement('button');
+    button.type = 'button';
+    button.className = 'block';
+    button.dataset.key = key;
+    button.title = title;
+    button.setAttribute('aria-label', name);
+    const icon = document.createElement('canvas');
+    icon.width = icon.height = kIcon * Math.ceil(devicePixelRatio);
+    button.append(icon);
+    if (index < 9) {
+      const digit = document.createElement('kbd');
+      digit.textContent = String(index + 1);
+      digit.setAttribute('aria-hidden', 'true');
+      button.append(digit);
+    }
+    button.addEventListener('click', () => this.#editor.choose(choice));
+    return button;
+  }
+
+  #adding() {
+    const button = document.createElement('button');
+    button.type = 'button';
+    button.className = 'block add';
+    const what = kAdd[this.#what];
+    button.title = what;
+    button.setAttribute('aria-label', what);
+    button.textContent = '+';
+    button.addEventListener('click', () => this.#actions.add(this.#what));
+    return button;
+  }
+
+  // As other objects with that sprite have it, or else the shipped scenes.
+  #usualHeight(name) {
+    const { maps, sprites } = this.#editor.scene.value;
+    const heights = maps
+      .flatMap(({ objects = [] }) => objects)
+      .filter(({ sprite }) => sprite === name)
+      .map(({ height }) => height);
+    const file = sprites[name].file ?? sprites[name];
+    return heights[heights.length >> 1] ?? this.#actions.heightOf(file) ?? 1;
+  }
+
+  #paint() {
+    const buttons = this.#list.querySelectorAll('button[data-key]');
+    this.#entries.forEach(({ paint }, index) => {
+      const icon = buttons[index]?.querySelector('canvas');
+      if (icon) paint(icon);
+    });
+  }
+}
+
+function paintFlag(icon) {
+  paintShape(icon, '#e3835f', 'M5 1h2v14H5zM7 2h7l-2 3 2 3H7z');
+}
+
+function paintLamp(icon) {
+  paintShape(icon, '#ffd98a', 'M6 2h4v1h2v2h1v4h-1v2h-2v2H6v-2H4V9H3V5h1V3h2zM6 14h4v1H6z');
+}
+
+function paintShape(icon, colour, path) {
+  const context = icon.getContext('2d');
+  context.setTransform(icon.width / 16, 0, 0, icon.height / 16, 0, 0);
+  context.clearRect(0, 0, 16, 16);
+  context.fillStyle = colour;
+  context.fill(new Path2D(path));
+}
