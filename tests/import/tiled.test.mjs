@@ -313,6 +313,7 @@ test('objects become sprites, starts, lamps and messages, or are told with their
     object(7, 'tree', { gid: 6, x: 1000 }),
     object(8, 'player', { point: true, width: 0, height: 0 }),
     object(9, 'tree', { gid: 6, visible: false }),
+    object(11, 'tree', { gid: 6, x: 0, y: 16 }),
     object(10, 'tree', {
       gid: 0x80000000 + 6,
       properties: [
@@ -332,11 +333,12 @@ test('objects become sprites, starts, lamps and messages, or are told with their
     height: 2,
     width: 1,
   });
-  assert.equal(made.length, 4, '1, 6, 7 and 10');
+  assert.equal(made.length, 5, '1, 6, 7, 11 and 10');
+  assert.equal(made[3].z, 1);
+  assert.match(made[4].comment, /tree: gold=5, stock=\{apples=2\}/);
+  assert.notEqual(made[4].sprite, made[0].sprite, 'its picture is turned');
   assert.equal(made[1].heading, 45);
   assert.equal(made[2].x, 4.99, 'at the edge');
-  assert.match(made[3].comment, /tree: gold=5, stock=\{apples=2\}/);
-  assert.notEqual(made[3].sprite, made[0].sprite, 'its picture is turned');
   assert.deepEqual(scene.start, { x: 1.5, y: 1.5, heading: 90 }, 'turned about its corner');
   assert.deepEqual(baked.lamps, [
     { comment: 'torch', x: 1.5, y: 1.5, z: 0.7, colour: '#102030', radius: 0.5 },
@@ -347,6 +349,7 @@ test('objects become sprites, starts, lamps and messages, or are told with their
   assert.match(told, /object 6 "tree": its picture stands upright; its turn of 45/);
   assert.match(told, /object 7 "tree": outside the map, and so moved to its edge/);
   assert.match(told, /object 8 "player": another start/);
+  assert.match(told, /object 11 "tree": it stands in a block, and so was put onto it, at 1/);
   assert.match(told, /object 9 "tree": hidden/);
   assert.deepEqual(
     proposal.classes.map(({ name, use }) => `${name}: ${use}`),
@@ -363,7 +366,7 @@ test('objects become sprites, starts, lamps and messages, or are told with their
     one.outside = 'leave out';
     one.classes.find(({ name }) => name === 'torch').use = 'leave out';
   });
-  assert.equal(left.scene.maps[0].objects.length, 3);
+  assert.equal(left.scene.maps[0].objects.length, 4);
   assert.equal(left.scene.maps[0].baked, undefined);
 });
 

@@ -66,7 +66,12 @@ export async function makeScene(proposal) {
     const grid = grids[index];
     const floor = floorOf(map, grid, proposal, old, looks, fault);
     const ceiling = ceilingOf(grid, proposal, old, looks, fault);
-    const placed = placeObjects(map, grid, proposal, looks, notes, fault);
+    const standing = (x, y, z) => {
+      const stack = blocks.stack(grid.levels, Math.floor(y) * map.width + Math.floor(x));
+      // The lowest first, so those above raise it further.
+      return stack.reduce((feet, [low, high]) => (feet >= low && feet < high ? high : feet), z);
+    };
+    const placed = placeObjects(map, { ...grid, standing }, proposal, looks, notes, fault);
     const { lamps, messages } = placed;
     const objects = [...(old?.objects ?? []), ...placed.objects];
     const own = old ?? { name: names[index], ...kSurroundings };
@@ -222,7 +227,7 @@ function rowsOf({ levels, width, depth }, signs) {
   );
 }
 
-// Signs for the stacks that are used: { legend, tiles, textures by stack }.
+// Draws the stacks as rows of characters: { legend, tiles, first }; the first is the commonest.
 function paint(grid, stacks, { kinds }, legendOf, textureOf, bare, fault, what) {
   const counts = new Uint32Array(stacks.lists.length);
   for (const stack of stacks.at) counts[stack] += 1;
@@ -242,7 +247,8 @@ function paint(grid, stacks, { kinds }, legendOf, textureOf, bare, fault, what) 
   const tiles = Array.from({ length: depth }, (_, y) =>
     Array.from(stacks.at.subarray(y * width, (y + 1) * width), (stack) => signs[stack]).join(''),
   );
-  return { legend: legend.table, tiles, first: order[0] };
+  const hasLegend = Object.keys(legend.table).length > 0;
+  return { legend: hasLegend ? { legend: legend.table } : {}, tiles, first: order[0] };
 }
 
 function floorOf(map, grid, proposal, old, looks, fault) {
@@ -262,7 +268,7 @@ function floorOf(map, grid, proposal, old, looks, fault) {
   );
   const texture = own.texture ?? looks.plain(map.floor ?? background, 'floor');
   if (grid.floor.lists.length === 1 && own.tiles === undefined) return old?.floor ?? texture;
-  return { ...own, texture, legend, tiles };
+  return { ...own, texture, ...legend, tiles };
 }
 
 function ceilingOf(grid, proposal, old, looks, fault) {
@@ -282,7 +288,7 @@ function ceilingOf(grid, proposal, old, looks, fault) {
   );
   const texture = own?.texture ?? textureOf(grid.ceiling.lists[first]);
   const height = own?.height ?? grid.ceilingHeight;
-  return { ceiling: { ...own, height, texture, legend, tiles } };
+  return { ceiling: { ...own, height, texture, ...legend, tiles } };
 }
 
 function startOf({ proposal, made, grids, blocks, ceilings, names, notes }) {

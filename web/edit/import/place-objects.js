@@ -21,12 +21,21 @@ export function placeObjects(map, grid, proposal, looks, notes, fault) {
   const uses = new Map(proposal.classes.map(({ name, use }) => [name, use]));
   // `isLit`: an object has a lamp, for which the map needs baked light
   const placed = { objects: [], lamps: [], messages: [], starts: [], isLit: false };
+  // What stands in a block would not be seen.
+  const raised = ({ x, y }, wanted, place) => {
+    const z = grid.standing(x, y, wanted);
+    if (z !== wanted) notes.add(place, `it stands in a block, and so was put onto it, at ${z}`);
+    return z;
+  };
   for (const { kind, x, y, z, layer } of grid.sprites) {
     const { name, size, comment } = proposal.kinds[kind - 1];
+    const place = `layer ${quoted(layer)}, tile ${x - 0.5},${y - 0.5}`;
     const sprite = looks.sprite(kind);
-    if (sprite === null)
-      notes.add(`layer ${quoted(layer)}, tile ${x - 0.5},${y - 0.5}`, 'no picture');
-    else placed.objects.push(objectOf({ sprite, x, y, z, size, comment: comment && name }));
+    if (sprite === null) notes.add(place, 'no picture');
+    else {
+      const at = { x, y, z: raised({ x, y }, z, place) };
+      placed.objects.push(objectOf({ sprite, ...at, size, comment: comment && name }));
+    }
   }
   for (const object of map.objects) {
     const layer = proposal.objectLayers[object.layer];
@@ -38,7 +47,7 @@ export function placeObjects(map, grid, proposal, looks, notes, fault) {
       continue;
     }
     const at = placeWithin(object, map, grid.outside, place, notes);
-    if (at !== null) kPlacers[use]({ object, at, layer, place, placed, map, looks, notes });
+    if (at !== null) kPlacers[use]({ object, at, layer, place, placed, map, looks, notes, raised });
   }
   if (placed.messages.length > kMostMessages)
     throw fault('', `${placed.messages.length} messages`, `at most ${kMostMessages} in a map`);
@@ -117,17 +126,9 @@ function objectOf({ sprite, x, y, z, size, comment, heading = null, lamp = null 
   };
 }
 
-function placeSprite({
-  object,
-  at,
-  layer,
-  place,
-  placed,
-  looks,
-  notes,
-  lamp = null,
-  told = kTold,
-}) {
+function placeSprite(all) {
+  const { object, at, layer, place, placed, looks, notes, raised } = all;
+  const { lamp = null, told = kTold } = all;
   const own = propertiesOf(object);
   const shipped = own.get('sprite');
   const sprite = kShippedSprites.includes(shipped)
@@ -147,7 +148,7 @@ function placeSprite({
     objectOf({
       sprite,
       ...at,
-      z: heightOf(own, layer),
+      z: raised(at, heightOf(own, layer), place),
       size: object,
       comment: commentOf([object.class, object.name].filter(Boolean).join(' '), own, told),
       heading: headingOf(object),
@@ -162,7 +163,7 @@ function placeStart({ object, at, layer, place, placed }) {
 }
 
 function placeLamp(all) {
-  const { object, at, layer, placed } = all;
+  const { object, at, layer, place, placed, raised } = all;
   const own = propertiesOf(object);
   const colour = String(own.get('colour') ?? own.get('color') ?? '');
   const [, digits] = /^#?(?:[0-9a-f]{2})?([0-9a-f]{6})$/i.exec(colour) ?? [];
@@ -186,7 +187,7 @@ function placeLamp(all) {
     kToldOfLamps,
   );
   const z = numberOf(own, 'z', 0, 1000) ?? within(heightOf(own, layer) + kLampHeight, 0, 1000);
-  placed.lamps.push({ ...(comment && { comment }), ...at, z, ...lamp });
+  placed.lamps.push({ ...(comment && { comment }), ...at, z: raised(at, z, place), ...lamp });
 }
 
 function placeMessage({ object, at, layer, place, placed, map, notes }) {
