@@ -84,7 +84,7 @@ test('what is changed in Tiled comes back changed, with new tiles too', async ()
   level.data[4] = 1001;
   tmj.tilesets.push({
     firstgid: 1001,
-    name: 'own',
+    name: 'quay',
     tilewidth: 16,
     tileheight: 16,
     columns: 1,
@@ -101,7 +101,7 @@ test('what is changed in Tiled comes back changed, with new tiles too', async ()
   const sign = below[1];
   assert.equal(below, `q${sign}.`);
   assert.ok(!['#', 'q', '.'].includes(sign), 'a character that the map does not use');
-  assert.equal(scene.legend[sign], 'own 0');
+  assert.equal(scene.legend[sign], 'quay 0');
   assert.equal(world.maps.length, 2);
 });
 
@@ -112,6 +112,10 @@ test('the palette has a picture, in the colours of plain textures', () => {
   const { id } = tiles.find(({ properties }) => properties[1].value === 'wall');
   const at = 4 * ((8 + 16 * Math.floor(id / columns)) * width + 16 * (id % columns) + 8);
   assert.deepEqual([...data.slice(at, at + 3)], [0xc0, 0x30, 0x20]);
+  const [hash] = tiles.filter(
+    ({ type, properties }) => type === 'block' && properties[0].value === '#',
+  );
+  assert.equal(hash.properties[1].value, 'step', "the map's own legend comes first");
 });
 
 test('a map that is not there is an error, and a property that is no scene is told', async () => {

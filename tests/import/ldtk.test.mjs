@@ -191,6 +191,21 @@ test('layers of another grid, tiles between cells and pictures behind are told',
   assert.match(told, /its background/);
 });
 
+test('layers lie one over another as they are drawn', async () => {
+  const flat = (name, id) =>
+    layerOf(name, 'Tiles', {
+      __tilesetDefUid: 7,
+      __tilesetRelPath: 'art/town.png',
+      gridTiles: [tile(0, 0, id)],
+    });
+  const own = [flat('Path', 2), flat('Ground', 1)];
+  const project = projectOf([level('Entry', { layerInstances: own })]);
+  const { scene, pictures } = await make('d.ldtk', project, kFiles);
+  const { floor } = scene.maps[0];
+  const { data } = decode(pictures.get(scene.textures[floor.legend[floor.tiles[0][0]]]));
+  assert.deepEqual([...data.slice(-4)], kTileColours[2]);
+});
+
 test('what is no project is refused', async () => {
   await refused('d.ldtk', { defs: {} }, {}, /d\.ldtk: found no levels or definitions/);
   const bad = layerOf('Collisions', 'IntGrid', { intGridCsv: [1, 2] });

@@ -62,8 +62,8 @@ export function picture(width, height, colourAt) {
   return encode({ width, height, data, channels: 4, depth: 8 });
 }
 
-// Six tiles of 16 texels, in two rows; the last one is half see-through. Each has a light corner in
-// the upper left, so that turns can be told.
+// Six tiles of 16 texels, in two rows; the last one is half see-through. Each has a light bar in
+// the upper left, wider than high, so that turns can be told.
 export const kTileColours = [
   [120, 60, 50, 255],
   [90, 130, 70, 255],
@@ -83,7 +83,7 @@ export function tilesPicture({ side = 16, columns = 3, margin = 0, spacing = 0 }
     const colour = kTileColours[row * columns + column];
     const isInside = x >= margin && y >= margin && inX < side && inY < side && colour;
     if (!isInside) return [255, 0, 255, 255];
-    if (inX < side / 4 && inY < side / 4) return [250, 250, 250, 255];
+    if (inX < side / 2 && inY < side / 4) return [250, 250, 250, 255];
     return row * columns + column === 5 && inY > side / 2 ? [0, 0, 0, 0] : colour;
   });
 }

@@ -100,6 +100,11 @@ test('rows of characters, with the start where courses put it', async () => {
   assert.deepEqual(signs.scene.maps[0].levels, [['###', '#..', '###']]);
 });
 
+test('without a start the player stands in the largest room, and looks along it', async () => {
+  const { scene } = await make('map.txt', '########\n#....#.#\n#....#.#\n########');
+  assert.deepEqual(scene.start, { x: 3.5, y: 1.5, heading: 180 });
+});
+
 test('short rows are filled up, and told', async () => {
   const { scene, notTaken } = await make('map.txt', '####\n#\n####');
   assert.deepEqual(scene.maps[0].levels, [['####', '#...', '####']]);

@@ -232,28 +232,29 @@ test('groups, offsets and properties of layers are kept, hidden layers are told'
 
 test('tiles that are turned become pictures that are turned; the fourth bit is ignored', async () => {
   const [h, v, d, hex] = [0x80000000, 0x40000000, 0x20000000, 0x10000000];
-  // Where the light corner lies then: left or right, upper or lower.
+  // Where the light bar lies then: left or right, upper or lower; and whether it is upright.
   const cases = [
-    [0, 0, 0],
-    [h, 1, 0],
-    [v, 0, 1],
-    [h + v, 1, 1],
-    [d, 0, 0],
-    [d + h, 1, 0],
-    [d + v, 0, 1],
-    [hex, 0, 0],
+    [0, 0, 0, false],
+    [h, 1, 0, false],
+    [v, 0, 1, false],
+    [h + v, 1, 1, false],
+    [d, 0, 0, true],
+    [d + h, 1, 0, true],
+    [d + v, 0, 1, true],
+    [hex, 0, 0, false],
   ];
   const cells = new Array(20).fill(0);
   cases.forEach(([bits], index) => (cells[index] = bits + 1));
   const { scene, pictures } = await make('turned.tmj', mapOf([tileLayer('Walls', cells)]), kFiles);
   const signs = scene.maps[0].levels[0].join('');
-  cases.forEach(([bits, right, lower], index) => {
+  cases.forEach(([bits, right, lower, isUpright], index) => {
     const texture = scene.textures[scene.blueprints[scene.legend[signs[index]]].faces.all];
     const { data } = decode(pictures.get(texture));
-    const corner = data[4 * (15 * lower * 16 + 15 * right)];
-    assert.equal(corner, 250, `bits ${bits.toString(16)}`);
+    const redAt = (x, y) => data[4 * (16 * (lower ? 15 - y : y) + (right ? 15 - x : x))];
+    const found = [redAt(0, 0), redAt(6, 0), redAt(0, 6)].map((red) => red === 250);
+    assert.deepEqual(found, [true, !isUpright, isUpright], `bits ${bits.toString(16)}`);
   });
-  assert.equal(pictures.size, 4, 'pictures that look alike are one file');
+  assert.equal(pictures.size, 7, 'pictures that look alike are one file');
 });
 
 test('tiles of other sizes become the next size that textures have', async () => {
@@ -269,6 +270,22 @@ test('tiles of other sizes become the next size that textures have', async () =>
     const { pictures } = await make('sizes.tmj', map, { 'town.png': tilesPicture({ side }) });
     for (const bytes of pictures.values()) assert.equal(decode(bytes).width, expected);
   }
+});
+
+test('without telling names the lowest layer without a hole is the floor', async () => {
+  const layers = ['A', 'B', 'C'].map((name, index) =>
+    tileLayer(`Tile Layer ${name}`, [kWalls, kGround, kWalls][index]),
+  );
+  const { proposal, scene } = await make('m.tmj', mapOf(layers), kFiles);
+  assert.deepEqual(
+    proposal.layers.map(({ use, level }) => [use, level]),
+    [
+      ['level', 0],
+      ['floor', 0],
+      ['level', 1],
+    ],
+  );
+  assert.equal(scene.maps[0].levels.length, 2);
 });
 
 test('floors lie one over another; what is see-through shows the one below', async () => {

@@ -2,13 +2,16 @@
 // heights. Their characters are chosen when all are known, `#` for the commonest.
 //
 //     const blocks = startBlocks(proposal, base, old, looks, notes);
-//     const number = blocks.number(kind, look, layer);        // of the blueprint, from 1
+//     const number = blocks.ofLayer(layer)(kind, look);       // of the blueprint, from 1
 //     const { signs, table } = blocks.legend(fault);          // signs[number]; the scene's legend
 //     blocks.stack(levels, tile)                              // [[bottom, top]] over a tile
 
-import { kMostLegend } from './import-limits.js';
+import { kMostKinds, kMostLegend } from './import-limits.js';
 import { startLegend } from './legend-signs.js';
 import { uniqueNames } from './titles.js';
+
+const kMostLooks = kMostKinds + 1;
+const kNoBlocks = [];
 
 export function startBlocks({ kinds }, base, old, looks, notes) {
   const list = [null]; // { name, bottom, top, count, sign }
@@ -37,21 +40,31 @@ export function startBlocks({ kinds }, base, old, looks, notes) {
     return { name, bottom: low, top: high };
   }
 
+  function find(kind, look, layer) {
+    const { bottom, top } = kinds[kind - 1];
+    const low = bottom ?? layer.bottom ?? 0;
+    const high = top ?? layer.top ?? 1;
+    const key = `${kind} ${look} ${low} ${high}`;
+    if (!numbers.has(key)) {
+      list.push({ ...add(kind, look, low, high), count: 0 });
+      numbers.set(key, list.length - 1);
+    }
+    return numbers.get(key);
+  }
+
   return {
     blueprints,
 
-    number(kind, look, layer) {
-      const { bottom, top } = kinds[kind - 1];
-      const low = bottom ?? layer.bottom ?? 0;
-      const high = top ?? layer.top ?? 1;
-      const key = `${kind} ${look} ${low} ${high}`;
-      if (!numbers.has(key)) {
-        list.push({ ...add(kind, look, low, high), count: 0 });
-        numbers.set(key, list.length - 1);
-      }
-      const number = numbers.get(key);
-      list[number].count += 1;
-      return number;
+    // Maps have millions of cells, so what a layer has met is found by a number.
+    ofLayer(layer) {
+      const known = new Map();
+      return (kind, look) => {
+        const key = kind * kMostLooks + look;
+        let number = known.get(key);
+        if (number === undefined) known.set(key, (number = find(kind, look, layer)));
+        list[number].count += 1;
+        return number;
+      };
     },
 
     legend(fault) {
@@ -63,11 +76,14 @@ export function startBlocks({ kinds }, base, old, looks, notes) {
       return { signs: ['.', ...list.slice(1).map(({ sign }) => sign)], table: legend.table };
     },
 
-    stack: (levels, tile) =>
-      levels.flatMap((cells, level) => {
+    stack(levels, tile) {
+      let stack = kNoBlocks;
+      for (const [level, cells] of levels.entries()) {
         const block = list[cells?.[tile] ?? 0];
-        return block === null ? [] : [[level + block.bottom, level + block.top]];
-      }),
+        if (block !== null) stack = [...stack, [level + block.bottom, level + block.top]];
+      }
+      return stack;
+    },
   };
 }
 

@@ -11,6 +11,7 @@ import { startBlocks } from './blocks.js';
 import { ImportError, quoted } from './import-error.js';
 import {
   kMostCells,
+  kMostKinds,
   kMostLegend,
   kMostLevels,
   kMostNotes,
@@ -158,12 +159,12 @@ function gridsOf(map, { layers, kinds, outside }, old, blocks, notes, place) {
     if (layer.use === 'leave out' || cells === undefined || cells === null) return;
     const looks = layer.look === null ? null : map.cells[layer.look];
     const level = Math.min(kMostLevels - 1, Math.floor(layer.level));
+    const blockOf = blocks.ofLayer(layer);
     for (let cell = 0; cell < size; ++cell) {
-      const number1 = cells[cell];
-      if (number1 === 0) continue;
-      const kind = kinds[number1 - 1];
+      const kindNumber = cells[cell];
+      if (kindNumber === 0) continue;
+      const kind = kinds[kindNumber - 1];
       const use = kind.use === 'by layer' ? kByLayer[layer.use] : kind.use;
-      const at = { x: (cell % width) + 0.5, y: Math.floor(cell / width) + 0.5 };
       if (use === 'block') {
         const rows = (grid.levels[level] ??= new Uint32Array(size));
         owners[level] ??= new Uint16Array(size);
@@ -171,16 +172,22 @@ function gridsOf(map, { layers, kinds, outside }, old, blocks, notes, place) {
           const key = `${owners[level][cell]} ${number}`;
           covered.set(key, (covered.get(key) ?? 0) + 1);
         }
-        rows[cell] = blocks.number(number1, looks?.[cell] ?? 0, layer);
+        rows[cell] = blockOf(kindNumber, looks?.[cell] ?? 0);
         owners[level][cell] = number;
-      } else if (use === 'floor') grid.floor.add(cell, number1);
+      } else if (use === 'floor') grid.floor.add(cell, kindNumber);
       else if (use === 'ceiling') {
-        grid.ceiling.add(cell, number1);
+        grid.ceiling.add(cell, kindNumber);
         grid.ceilingHeight = Math.max(grid.ceilingHeight ?? 0, layer.level);
-      } else if (use === 'sprite')
-        grid.sprites.push({ ...at, z: layer.level, kind: number1, layer: layer.name });
-      else if (use === 'start')
-        grid.starts.push({ ...at, z: layer.level, heading: kind.heading, place: `tile ${cell}` });
+      } else if (use === 'sprite' || use === 'start') {
+        const at = { x: (cell % width) + 0.5, y: Math.floor(cell / width) + 0.5, z: layer.level };
+        if (use === 'sprite') grid.sprites.push({ ...at, kind: kindNumber, layer: layer.name });
+        else
+          grid.starts.push({
+            ...at,
+            heading: kind.heading,
+            place: `tile ${at.x - 0.5},${at.y - 0.5}`,
+          });
+      }
     }
   });
   for (const [key, count] of covered) {
@@ -207,7 +214,7 @@ function stacksOf(size) {
     at,
     lists,
     add(cell, kind) {
-      const key = `${at[cell]} ${kind}`;
+      const key = at[cell] * (kMostKinds + 1) + kind;
       if (!known.has(key)) {
         known.set(key, lists.length);
         lists.push([...lists[at[cell]], kind]);

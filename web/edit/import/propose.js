@@ -38,13 +38,12 @@ export function propose(draft) {
   const proposal = draft.lists();
   const { layers, maps, kinds, classes } = proposal;
   for (const { cells } of maps)
-    cells.forEach((list, layer) =>
-      list?.forEach((kind) => {
-        if (kind === 0) return;
-        layers[layer].tiles += 1;
-        kinds[kind - 1].count += 1;
-      }),
-    );
+    for (const [layer, list] of cells.entries())
+      for (const kind of list ?? [])
+        if (kind !== 0) {
+          layers[layer].tiles += 1;
+          kinds[kind - 1].count += 1;
+        }
   for (const layer of layers)
     layer.use ??= kLayerNames.find(([, words]) => words.test(layer.name))?.[0] ?? null;
   if (!layers.some(({ use }) => use === 'floor')) {

@@ -22,6 +22,7 @@ export function groundOf(width, depth, stackAt, isPainted, ceilingAt) {
   };
   const feet = new Float32Array(width * depth);
   for (let tile = 0; tile < feet.length; ++tile) {
+    if (stackAt(tile).length === 0 && ceilingAt(tile) === null) continue;
     const heights = [0, ...stackAt(tile).map(([, high]) => high), ceilingAt(tile) ?? 0];
     const free = heights.filter((z) => hasRoom(tile, z));
     feet[tile] = Math.min(...free);

@@ -20,7 +20,9 @@ export async function readCells(data, { encoding, compression }, count, fault) {
   if (bytes.length !== size)
     throw fault(`${bytes.length} bytes of cells`, `${size}, 4 for each of ${count} tiles`);
   const view = new DataView(bytes.buffer, bytes.byteOffset, size);
-  return Uint32Array.from({ length: count }, (_, index) => view.getUint32(index * 4, true));
+  const cells = new Uint32Array(count);
+  for (let index = 0; index < count; ++index) cells[index] = view.getUint32(index * 4, true);
+  return cells;
 }
 
 async function unpack(packed, compression, size, fault) {
@@ -39,12 +41,14 @@ function readNumbers(data, count, fault) {
   if (!Array.isArray(list)) throw fault('no cells', 'a list of numbers');
   const found = list.length === 1 && String(list[0]).trim() === '' ? 0 : list.length;
   if (found !== count) throw fault(`${found} cells`, `${count}, as the size says`);
-  return Uint32Array.from(list, (one) => {
-    const number = Number(one);
+  const cells = new Uint32Array(count);
+  for (let index = 0; index < count; ++index) {
+    const number = Number(list[index]);
     if (!Number.isInteger(number) || number < 0 || number >= 2 ** 32)
-      throw fault(`the cell ${quoted(one)}`, 'a whole number from 0 to 4294967295');
-    return number;
-  });
+      throw fault(`the cell ${quoted(list[index])}`, 'a whole number from 0 to 4294967295');
+    cells[index] = number;
+  }
+  return cells;
 }
 
 function bytesOfBase64(text, fault) {
@@ -54,5 +58,7 @@ function bytesOfBase64(text, fault) {
   } catch {
     throw fault('cells that are no base64', 'a text in base64');
   }
-  return Uint8Array.from(binary, (character) => character.charCodeAt(0));
+  const bytes = new Uint8Array(binary.length);
+  for (let index = 0; index < bytes.length; ++index) bytes[index] = binary.charCodeAt(index);
+  return bytes;
 }
