@@ -257,6 +257,45 @@ test('tiles that are turned become pictures that are turned; the fourth bit is i
   assert.equal(pictures.size, 7, 'pictures that look alike are one file');
 });
 
+test('animated tiles become sheets of frames, turned as they are', async () => {
+  const frames = [0, 3, 2].map((tileid) => ({ tileid, duration: 200 }));
+  const set = { ...kTileset, tiles: [{ id: 0, animation: frames }] };
+  const cells = kWalls.map((gid) => (gid === 4 ? 0x80000001 : gid));
+  const map = mapOf(
+    [
+      tileLayer(
+        'Ground',
+        kWalls.map(() => 1),
+      ),
+      tileLayer('Walls', cells),
+    ],
+    {
+      tilesets: [set],
+    },
+  );
+  const { scene, pictures, notTaken } = await make('m.tmj', map, kFiles);
+  const texture = scene.textures['town 0'];
+  assert.deepEqual([texture.frames, texture.rate], [3, 5]);
+  const sheet = decode(pictures.get(texture.file));
+  assert.deepEqual([sheet.width, sheet.height], [48, 16]);
+  const at = (x) => [...sheet.data.slice(4 * (48 * 15 + x), 4 * (48 * 15 + x + 1))];
+  assert.deepEqual(
+    [at(0), at(16), at(32)],
+    [0, 3, 2].map((id) => kTileColours[id]),
+  );
+  const turned = decode(pictures.get(scene.textures['town 0 turned 1'].file));
+  assert.deepEqual([turned.data[4 * 15], turned.data[4 * 31]], [250, 250]);
+  assert.equal(notTaken.length, 1, 'only that there is no start');
+  const xml = tmxOf(`<data encoding="csv">${kWalls.join(',')}</data>`).replace(
+    '</tileset>',
+    '<tile id="0"><animation><frame tileid="0" duration="200"/><frame tileid="3" duration="200"/></animation></tile></tileset>',
+  );
+  assert.equal((await make('m.tmx', xml, kFiles)).scene.textures['town 0'].frames, 2);
+  const tree = { id: 1, type: 'tree', gid: 1, x: 32, y: 32, width: 16, height: 16 };
+  const things = mapOf([...yard().layers, objectLayer('o', [tree])], { tilesets: [set] });
+  assert.equal((await make('m.tmj', things, kFiles)).scene.sprites['town 0 2'].rate, 5);
+});
+
 test('tiles of other sizes become the next size that textures have', async () => {
   const sizes = [
     [5, 8],
@@ -471,12 +510,13 @@ test('what has no counterpart is told with its place', async () => {
   const set = {
     ...kTileset,
     tileoffset: { x: 0, y: 4 },
+    properties: [{ name: 'author', type: 'string', value: 'me' }],
     tiles: [
       {
         id: 0,
         animation: [
           { tileid: 0, duration: 9 },
-          { tileid: 1, duration: 9 },
+          { tileid: 1, duration: 8 },
         ],
       },
       { id: 1, objectgroup: { objects: [] } },
@@ -497,7 +537,8 @@ test('what has no counterpart is told with its place', async () => {
   for (const expected of [
     /tileset "town": its drawing offset/,
     /tileset "town": the collision shapes of 1 tiles/,
-    /tile "town 0": only one picture of its animation/,
+    /tile "town 0": the pictures of its animation are shown equally long/,
+    /tileset "town": its properties are left out: author=me/,
     /layer "Sky": layers of the type "imagelayer"/,
     /layer "Walls": its opacity of 0.5/,
     /layer "Walls": its tint/,

@@ -25,6 +25,8 @@ const kKind = {
   bottom: null,
   top: null,
   parts: [],
+  frames: [],
+  rate: null,
   size: null,
   comment: '',
 };
@@ -86,7 +88,7 @@ export function startDraft(file, format, title) {
     kind(key, make) {
       if (!numbers.has(key)) {
         const kind = { ...kKind, ...make(), count: 0 };
-        for (const part of kind.parts) checkPart(kind.name, part);
+        for (const part of [...kind.parts, ...kind.frames.flat()]) checkPart(kind.name, part);
         kinds.push(kind);
         atMost('', 'kinds of tiles', kinds.length, kMostKinds);
         numbers.set(key, kinds.length);

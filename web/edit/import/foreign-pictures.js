@@ -20,6 +20,7 @@ export function openPictures(list, notes) {
   const decoded = new Map();
   let texels = 0;
   let drawn = 0;
+  let isFull = false;
 
   function imageOf(index) {
     if (!decoded.has(index)) decoded.set(index, decodeNumber(index));
@@ -44,8 +45,13 @@ export function openPictures(list, notes) {
   return {
     draw(parts, width, height, background) {
       const images = parts.map(({ picture }) => imageOf(picture));
+      if (images.every((image) => image === null)) return null;
       drawn += width * height * parts.length;
-      if (images.every((image) => image === null) || drawn > kMostDrawn) return null;
+      if (drawn > kMostDrawn) {
+        if (!isFull) notes.add('the tiles', 'too many texels in all: some get plain colours');
+        isFull = true;
+        return null;
+      }
       const data = new Uint8Array(4 * width * height);
       if (background !== null) fill(data, background);
       parts.forEach((part, index) => {

@@ -6,6 +6,7 @@ export const kMostXmlBytes = 2 ** 24; // an element takes some 20 times its text
 export const kMostFiles = 1024; // that one map names: tilesets, pictures, templates, levels
 export const kMostAllFileBytes = 2 ** 28; // of all of these together
 export const kMostNesting = 32; // of groups of layers, and of values of classes
+export const kMostFrames = 64; // of an animated tile
 export const kMostSide = 4096; // tiles, west to east and north to south
 export const kMostLevels = 32;
 export const kMostMaps = 256;

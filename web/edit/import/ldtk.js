@@ -187,6 +187,8 @@ function cellsOfTiles(tiles, instance, reading) {
     else draft.note(`${place}, tile ${column},${row}`, `more than ${kMostStack} tiles`);
     stacks.set(cell, parts);
   }
+  const faint = tiles.filter(({ a = 1 }) => a !== 1).length;
+  if (faint > 0) draft.note(place, `${faint} tiles are drawn whole, although they are faint`);
   if (between > 0) draft.note(place, `${between} tiles between cells are moved into whole ones`);
   if (outside > 0) draft.note(place, `${outside} tiles lie outside the level`);
   const cells = new Uint32Array(map.width * map.depth);

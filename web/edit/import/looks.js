@@ -28,9 +28,9 @@ export function startLooks({ title, kinds, pictures: files }, base, notes, fault
   let colours = 0;
   for (const name of [...Object.keys(textures), ...Object.keys(sprites)]) named(name);
 
-  function addFile(table, name, image) {
+  function addFile(table, name, image, more = null) {
     const bytes = pngOf(image);
-    const key = `${table === sprites} ${hashOf(bytes)} ${bytes.length}`;
+    const key = `${table === sprites} ${hashOf(bytes)} ${JSON.stringify(more)}`;
     const same = (byBytes.get(key) ?? []).find((one) => isSame(one.bytes, bytes));
     if (same !== undefined) return same.name;
     texels += image.width * image.height;
@@ -39,7 +39,7 @@ export function startLooks({ title, kinds, pictures: files }, base, notes, fault
     const unlike = named(name, 'tile');
     const file = `${folder}/${namedFile(slugOf(unlike) || 'tile')}.png`.replaceAll(' ', '-');
     pictures.set(file, bytes);
-    table[unlike] = file;
+    table[unlike] = more === null ? file : { file, ...more };
     byBytes.set(key, [...(byBytes.get(key) ?? []), { bytes, name: unlike }]);
     return unlike;
   }
@@ -71,9 +71,28 @@ export function startLooks({ title, kinds, pictures: files }, base, notes, fault
       notes.add(`tile "${top.name}"`, `it is made smaller, to ${side} texels a side`);
     if (parts.some(({ width, height }) => width !== height))
       notes.add(`tile "${top.name}"`, 'it is stretched to a square');
+    const name = all.map((kind) => kind.name).join(' on ');
     const image = source.draw(parts, side, side, background);
     if (image === null) return addColour(colourFor(top.name));
-    return addFile(textures, all.map(({ name }) => name).join(' on '), image);
+    if (top.frames.length === 0) return addFile(textures, name, image);
+    const below = parts.slice(0, parts.length - top.parts.length);
+    const images = top.frames.map((frame) =>
+      source.draw([...below, ...frame], side, side, background),
+    );
+    return addSheet(textures, name, images, image, top.rate);
+  }
+
+  // Frames side by side; one that cannot be drawn shows the first picture.
+  function addSheet(table, name, images, first, rate) {
+    const { width: side, height } = first;
+    const width = side * images.length;
+    const data = new Uint8Array(4 * width * height);
+    images.forEach((image, index) => {
+      const texels = (image ?? first).data;
+      for (let y = 0; y < height; ++y)
+        data.set(texels.subarray(4 * y * side, 4 * (y + 1) * side), 4 * (y * width + index * side));
+    });
+    return addFile(table, name, { width, height, data }, { frames: images.length, rate });
   }
 
   // A plain colour, or a shipped texture.
@@ -92,7 +111,7 @@ export function startLooks({ title, kinds, pictures: files }, base, notes, fault
     return byKey.get(key);
   }
 
-  function makeSprite({ name, parts }) {
+  function makeSprite({ name, parts, frames, rate }) {
     const [part] = parts;
     if (part === undefined) return null;
     const [across, down] = part.flip & 4 ? [part.height, part.width] : [part.width, part.height];
@@ -100,7 +119,14 @@ export function startLooks({ title, kinds, pictures: files }, base, notes, fault
     if (scale < 1) notes.add(`tile "${name}"`, 'it is made smaller, to 1024 texels');
     const sides = [across, down].map((side) => Math.max(1, Math.round(side * scale)));
     const image = source.draw(parts, ...sides, null);
-    return image === null ? null : addFile(sprites, name, image);
+    if (image === null) return null;
+    if (frames.length === 0) return addFile(sprites, name, image);
+    if (sides[0] !== sides[1]) {
+      notes.add(`tile "${name}"`, 'only one picture of its animation is taken: it is no square');
+      return addFile(sprites, name, image);
+    }
+    const images = frames.map((frame) => source.draw(frame, ...sides, null));
+    return addSheet(sprites, name, images, image, rate);
   }
 
   function shippedSprite(name) {

@@ -75,12 +75,13 @@ export async function makeScene(proposal) {
     const placed = placeObjects(map, { ...grid, standing }, proposal, looks, notes, fault);
     const { lamps, messages } = placed;
     const objects = [...(old?.objects ?? []), ...placed.objects];
+    const comment = commentOfMap(map, proposal);
     const own = old ?? { name: names[index], ...kSurroundings };
     return {
       starts: [...grid.starts, ...placed.starts],
       map: {
         ...own,
-        ...(base === null && map.comment !== '' && { comment: map.comment }),
+        ...(old === null && comment !== '' && { comment }),
         levels: rowsOf(grid, legend.signs),
         floor,
         ...ceiling,
@@ -111,6 +112,14 @@ export async function makeScene(proposal) {
     start,
   };
   return { scene, pictures: looks.pictures, notTaken: notes.list() };
+}
+
+// What the map and its layers say beyond what the scene shows.
+function commentOfMap({ comment }, { maps, layers, objectLayers }) {
+  const ofLayers = [...layers, ...objectLayers]
+    .filter((layer) => maps.length === 1 && layer.comment !== '')
+    .map((layer) => `${layer.name}: ${layer.comment}`);
+  return [comment, ...ofLayers].filter((part) => part !== '').join('; ');
 }
 
 function checkChoices(proposal, fault) {

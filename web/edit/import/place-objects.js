@@ -138,7 +138,9 @@ function placeSprite(all) {
       : looks.sprite(object.kind);
   if (sprite === null) {
     const reason =
-      object.kind === 0 ? `a ${object.shape} without a picture` : 'its picture is missing';
+      object.kind === 0
+        ? `${object.shape === 'ellipse' ? 'an' : 'a'} ${object.shape} without a picture`
+        : 'its picture is missing';
     notes.add(place, `${reason}${commentOf('', own) && `; its properties: ${commentOf('', own)}`}`);
     return;
   }
@@ -157,8 +159,15 @@ function placeSprite(all) {
   );
 }
 
-function placeStart({ object, at, layer, place, placed }) {
+// Starts and messages have no comments.
+function noteRest(object, place, notes) {
+  const rest = commentOf('', propertiesOf(object), kTold);
+  if (rest !== '') notes.add(place, `its properties are left out: ${rest}`);
+}
+
+function placeStart({ object, at, layer, place, placed, notes }) {
   const z = heightOf(propertiesOf(object), layer);
+  noteRest(object, place, notes);
   placed.starts.push({ ...at, z, heading: headingOf(object), place });
 }
 
@@ -197,6 +206,7 @@ function placeMessage({ object, at, layer, place, placed, map, notes }) {
     notes.add(place, 'a message without a text');
     return;
   }
+  noteRest(object, place, notes);
   if ([...text].length > kMostMessage)
     notes.add(place, `its text is cut after ${kMostMessage} characters`);
   const [x, across] = tilesOf(at.x, object.width, map.width);

@@ -10,7 +10,8 @@
 //                      null; `look` is the number of the layer whose tiles its blocks show, or null
 //       kinds          [{ name, use, show, bottom, top, heading, parts, size, count, comment }]:
 //                      `use` is 'by layer', 'block', 'floor', 'sprite', 'start' or 'empty'; `show`
-//                      is 'picture' (its parts), the name of a shipped texture, or '#rrggbb'
+//                      is 'picture' (its parts), the name of a shipped texture, or '#rrggbb';
+//                      animated ones have the parts of each of their `frames`, and a `rate`
 //       objectLayers   [{ name, use, level, comment }]: 'take' or 'leave out'
 //       classes        [{ name, use, count }]: 'object', 'start', 'lamp', 'message' or
 //                      'leave out'

@@ -139,9 +139,9 @@ function tilesetOf(element) {
 }
 
 function imageOf(element) {
-  const { source = '', trans, width, height } = element.attributes;
+  const { source, trans, width, height } = element.attributes;
   return {
-    image: source,
+    ...(source !== undefined && { image: source }),
     ...(width !== undefined && { imagewidth: Number(width), imageheight: Number(height) }),
     ...(trans !== undefined && { transparentcolor: trans }),
   };

@@ -6,7 +6,7 @@
 
 import { startDraft } from './draft.js';
 import { ImportError, quoted } from './import-error.js';
-import { kMostLayers, kMostNesting } from './import-limits.js';
+import { kMostFrames, kMostLayers, kMostNesting } from './import-limits.js';
 import { commentOf, isTrue, numberOf, propertiesOf } from './properties.js';
 import { readCells } from './tiled-cells.js';
 import { parseTiled } from './tiled-text.js';
@@ -43,7 +43,7 @@ export async function readTiled(source, file, files) {
     depth: area.depth,
     background: colourOf(source.backgroundcolor),
     floor: null,
-    comment: commentOf('', own, ['title', 'name', 'slicecast']),
+    comment: commentOf(source.class ?? '', own, ['title', 'name', 'slicecast']),
     cells: [],
     objects: [],
   };
@@ -211,19 +211,35 @@ async function tilesOf(source, file, files, draft) {
     const properties = propertiesOf(tile?.properties);
     const name = `${set.name} ${id}`;
     const kind = tile?.class || tile?.type || '';
-    if (tile?.animation?.length > 0)
-      draft.note(`tile ${quoted(name)}`, 'only one picture of its animation is taken');
     return draft.kind(`${set.key}/${id}/${flip}`, () => ({
       name: flip === 0 ? name : `${name} turned ${flip}`,
       class: kind,
       size: { width: own.width / source.tilewidth, height: own.height / source.tileheight },
       parts: part === null ? [] : [{ ...part, flip }],
+      ...framesOf(tile, set, gid, name),
       use: useOf(kind, properties),
       bottom: numberOf(properties, 'bottom', 0, 1),
       top: numberOf(properties, 'top', 0, 1),
       comment: commentOf(kind, properties, ['bottom', 'top', 'floor', 'sprite']),
       ...keptOf(properties, draft.base),
     }));
+  };
+  // The pictures of an animated tile, and how many it shows in a second.
+  const framesOf = (tile, set, gid, name) => {
+    const list = Array.isArray(tile?.animation) ? tile.animation : [];
+    if (list.length < 2) return {};
+    const place = `tile ${quoted(name)}`;
+    if (list.length > kMostFrames)
+      draft.note(place, `only ${kMostFrames} pictures of its animation are taken`);
+    const frames = list.slice(0, kMostFrames).map((frame) => {
+      const found = tileIn(set, gid - (gid & kIdMask) + set.first + frame.tileid, files, draft);
+      return found === null || found.part === null ? [] : [{ ...found.part, flip: found.flip }];
+    });
+    const durations = list.map(({ duration }) => Number(duration) || 100);
+    if (durations.some((one) => one !== durations[0]))
+      draft.note(place, 'the pictures of its animation are shown equally long');
+    const mean = durations.reduce((sum, one) => sum + one, 0) / durations.length;
+    return { frames, rate: Math.min(120, Math.max(0.01, Math.round(1e5 / mean) / 100)) };
   };
   return { kindOf, sets, kindIn };
 }
@@ -286,6 +302,8 @@ async function tilesetOf(entry, file, files, draft) {
   const title = String(set.name ?? 'tiles').slice(0, 60);
   if (Object.keys(set.tileoffset ?? {}).some((axis) => Number(set.tileoffset[axis]) !== 0))
     draft.note(`tileset ${quoted(title)}`, 'its drawing offset is left out');
+  const own = commentOf('', propertiesOf(set.properties));
+  if (own !== '') draft.note(`tileset ${quoted(title)}`, `its properties are left out: ${own}`);
   const shapes = list.filter((tile) => tile?.objectgroup).length;
   if (shapes > 0)
     draft.note(`tileset ${quoted(title)}`, `the collision shapes of ${shapes} tiles are left out`);
