@@ -123,6 +123,7 @@ test('sizes beyond the limits take no memory', async () => {
     [mapOf({ data: '', encoding: 'base64', compression: 'xz' }), /packed by "xz"/],
     [mapOf({ data: kCells }, { orientation: 'isometric' }), /"isometric", expected orthogonal/],
     [mapOf({}, { layers: [null] }), /found null, expected a layer/],
+    [mapOf({ data: kCells }, { tilesets: 5 }), /m\.tmj, tilesets: found 5, expected a list/],
     [mapOf({}, { layers: 5 }), /m\.tmj: found a map without layers/],
     [{ type: 'tileset', layers: [] }, /found a tileset without layers/],
     [

@@ -58,6 +58,13 @@ export async function readTiled(source, file, files) {
   return draft;
 }
 
+// An absent list is empty; anything else than a list is an error.
+function listOf(value, file, place) {
+  if (value === undefined || value === null) return [];
+  if (Array.isArray(value)) return value;
+  throw new ImportError(file, place, quoted(value), 'a list');
+}
+
 // ---- Layers
 
 // In drawing order, without groups; offsets, properties and what hides them come from the groups.
@@ -133,11 +140,12 @@ function addLayer({ path, own, isHidden, class: kind = '' }, draft) {
 function areaOf(source, layers, file, draft) {
   const chunks = layers
     .filter(({ type }) => type === 'tilelayer')
-    .flatMap((layer) => layer.chunks ?? []);
+    .flatMap((layer) => listOf(layer.chunks, file, layer.place));
   const isEndless = source.infinite === true || source.infinite === 1;
   const area = { x: 0, y: 0, width: source.width, depth: source.height };
   if (isEndless && chunks.length > 0) {
-    for (const { x, y, width, height } of chunks)
+    for (const chunk of chunks) {
+      const { x, y, width, height } = chunk ?? {};
       if (![x, y].every(Number.isInteger) || !(width >= 1 && height >= 1))
         throw new ImportError(
           file,
@@ -145,6 +153,7 @@ function areaOf(source, layers, file, draft) {
           `a chunk of ${quoted(width)} x ${quoted(height)} at ${quoted(x)},${quoted(y)}`,
           'whole numbers',
         );
+    }
     const least = (of) => chunks.reduce((most, chunk) => Math.min(most, of(chunk)), Infinity);
     area.x = least(({ x }) => x);
     area.y = least(({ y }) => y);
@@ -196,7 +205,8 @@ async function cellsOf(layer, area, source, tiles, file, draft) {
 
 async function tilesOf(source, file, files, draft) {
   const sets = [];
-  for (const entry of source.tilesets ?? []) sets.push(await tilesetOf(entry, file, files, draft));
+  for (const entry of listOf(source.tilesets, file, 'tilesets'))
+    sets.push(await tilesetOf(entry, file, files, draft));
   sets.sort((a, b) => a.first - b.first);
   const known = new Map();
   const kindOf = (gid) => {
@@ -232,10 +242,15 @@ async function tilesOf(source, file, files, draft) {
     if (list.length > kMostFrames)
       draft.note(place, `only ${kMostFrames} pictures of its animation are taken`);
     const frames = list.slice(0, kMostFrames).map((frame) => {
-      const found = tileIn(set, gid - (gid & kIdMask) + set.first + frame.tileid, files, draft);
+      const found = tileIn(
+        set,
+        gid - (gid & kIdMask) + set.first + Number(frame?.tileid),
+        files,
+        draft,
+      );
       return found === null || found.part === null ? [] : [{ ...found.part, flip: found.flip }];
     });
-    const durations = list.map(({ duration }) => Number(duration) || 100);
+    const durations = list.map((frame) => Number(frame?.duration) || 100);
     if (durations.some((one) => one !== durations[0]))
       draft.note(place, 'the pictures of its animation are shown equally long');
     const mean = durations.reduce((sum, one) => sum + one, 0) / durations.length;
@@ -366,7 +381,7 @@ async function readObjects(layer, { area, source, tiles, file, files, draft, map
     level: numberOf(layer.own, 'level', 0, 31) ?? 0,
     comment: commentOf(layer.class ?? '', layer.own, ['level']),
   });
-  for (const raw of layer.objects ?? []) {
+  for (const raw of listOf(layer.objects, file, layer.place)) {
     const place = `object ${quoted(raw?.id)}`;
     if (typeof raw !== 'object' || raw === null)
       throw new ImportError(file, layer.place, quoted(raw), 'an object');
