@@ -412,6 +412,16 @@ test('a program under Node', async () => {
   assert.deepEqual({ width, height, hash: hashOf(data) }, { ...kSize, hash: expected });
 });
 
+test('the command that imports maps', async () => {
+  const folder = path.join(built, 'import');
+  await rm(folder, { recursive: true, force: true });
+  await mkdir(folder, { recursive: true });
+  await writeFile(path.join(folder, 'maze.txt'), '1 1 1\n1 0 1\n1 1 1\n');
+  const command = path.join(hosts, 'node_modules/.bin/slicecast');
+  const { stdout } = await run(command, ['import', 'maze.txt'], { cwd: folder });
+  assert.match(stdout, /^Wrote maze-scene\.json and 2 pictures\./);
+});
+
 test('the script is found by each of its names, and no unneeded file is packed', async () => {
   const { resolve } = createRequire(import.meta.url);
   const { main } = JSON.parse(await readFile(resolve('slicecast/package.json'), 'utf8'));

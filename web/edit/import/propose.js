@@ -1,0 +1,90 @@
+// Completes a draft: what each layer, kind of tile and class of objects becomes, where the file
+// does not say so itself. A person may change all of it in a dialog before makeScene() reads it.
+//
+//     proposal = {
+//       file, format, title,
+//       outside        'move to edge' or 'leave out': objects beside the map
+//       layers         [{ name, use, level, bottom, top, look, tiles, comment }]: `use` is 'level',
+//                      'floor', 'ceiling', 'sprites' or 'leave out'; `level` counts from 0, for a
+//                      ceiling it is the height; `bottom` and `top` are heights of its blocks, or
+//                      null; `look` is the number of the layer whose tiles its blocks show, or null
+//       kinds          [{ name, use, show, bottom, top, heading, parts, size, count, comment }]:
+//                      `use` is 'by layer', 'block', 'floor', 'sprite', 'start' or 'empty'; `show`
+//                      is 'picture' (its parts), the name of a shipped texture, or '#rrggbb';
+//                      animated ones have the parts of each of their `frames`, and a `rate`
+//       objectLayers   [{ name, use, level, comment }]: 'take' or 'leave out'
+//       classes        [{ name, use, count }]: 'object', 'start', 'lamp', 'message' or
+//                      'leave out'
+//       maps           [{ name, width, depth, background, floor, comment, cells, objects }]:
+//                      `cells` has for each layer a list of kinds, counted from 1; 0 is nothing;
+//                      where no floor is painted lies the shipped texture `floor`, or a colour
+//       pictures       [{ file, bytes, transparent }]
+//       base           { scene, map } if export-tmj.js wrote the map, or null: all but its cells
+//       notTaken       [{ place, reason }]: what cannot be taken so far
+//     }
+
+const kLayerNames = [
+  ['ceiling', /roof|ceiling|above|overhead|overlay|canopy/i],
+  ['level', /wall|block|solid|collision|collide|level|storey|story|obstacle|building|house/i],
+  ['floor', /ground|floor|terrain|background|base|water|grass|land|path|road/i],
+  ['sprites', /deco|detail|prop|object|plant|tree|bush|furniture|item|sprite/i],
+];
+const kClassNames = [
+  ['start', /^(player|start|spawn|hero|entrance)|(player|start|spawn)\b|_(start|spawn)$/i],
+  ['lamp', /lamp|light|torch|lantern|candle|brazier/i],
+  ['message', /^(text|message|sign|note|label)$/i],
+];
+
+export function propose(draft) {
+  const proposal = draft.lists();
+  const { layers, maps, kinds, classes } = proposal;
+  for (const { cells } of maps)
+    for (const [layer, list] of cells.entries())
+      for (const kind of list ?? [])
+        if (kind !== 0) {
+          layers[layer].tiles += 1;
+          kinds[kind - 1].count += 1;
+        }
+  for (const layer of layers)
+    layer.use ??= kLayerNames.find(([, words]) => words.test(layer.name))?.[0] ?? null;
+  if (!layers.some(({ use }) => use === 'floor')) {
+    const lowest = layers.find((layer, index) => layer.use === null && covers(maps, index));
+    if (lowest !== undefined) lowest.use = 'floor';
+  }
+  for (const layer of layers) layer.use ??= 'level';
+  giveLevels(layers);
+  for (const one of classes)
+    one.use ??= kClassNames.find(([, words]) => words.test(one.name))?.[0] ?? 'object';
+  return proposal;
+}
+
+function covers(maps, layer) {
+  const own = maps.map(({ cells }) => cells[layer]).filter(Boolean);
+  return own.length > 0 && own.every((cells) => cells.every((kind) => kind !== 0));
+}
+
+// Numbers at the end of names count from the lowest one; others go on upwards.
+function giveLevels(layers) {
+  const levels = layers.filter(({ use }) => use === 'level');
+  const numberIn = ({ name }) => {
+    const [, digits] = /(\d{1,3})\D*$/.exec(name) ?? [];
+    return digits === undefined ? null : Number(digits);
+  };
+  const numbers = levels.map(numberIn).filter((number) => number !== null);
+  const least = Math.min(...numbers);
+  let next = 0;
+  for (const layer of levels) {
+    const number = numberIn(layer);
+    layer.level ??= number !== null && numbers.length > 1 ? number - least : next;
+    layer.level = Math.min(31, Math.max(0, Math.round(layer.level)));
+    next = layer.level + 1;
+  }
+  const highest = levels.reduce(
+    (most, { level, tiles }) => (tiles > 0 ? Math.max(most, level) : most),
+    0,
+  );
+  for (const layer of layers) {
+    if (layer.use === 'ceiling') layer.level ??= highest + 1;
+    else layer.level ??= 0;
+  }
+}
