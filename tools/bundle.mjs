@@ -22,7 +22,9 @@ const kElement = [
   'ray-caster-more.js',
   'ray-caster-sound.js',
 ];
-const kPages = ['embed.js', 'play/main.js', 'edit/main.js', 'edit/text-view.js'];
+const kPages = ['embed.js', 'play/main.js', 'edit/main.js', 'edit/text-view.js', 'edit/import.js'];
+const kLater = ['edit/text-view.js', 'edit/import.js']; // of these; scripts load them when wanted
+const kForNode = path.join('edit', 'import'); // stays: Node's command uses the modules
 const inFolder = (name) => path.resolve(folder, name);
 const kSmall = { target: 'es2022', minify: true, legalComments: 'none', logLevel: 'warning' };
 
@@ -92,7 +94,7 @@ const bundle = async (script, external) => {
 const scripts = kElement.map(inFolder);
 const bundles = await Promise.all([
   ...scripts.map((script) => bundle(script, scripts)),
-  ...kPages.map((name) => bundle(inFolder(name), [...scripts, inFolder('edit/text-view.js')])),
+  ...kPages.map((name) => bundle(inFolder(name), [...scripts, ...kLater.map(inFolder)])),
 ]);
 for (const { script, text } of bundles) {
   // Bundlers cannot follow an address that is known only at run time. Minifying removes the comment
@@ -108,6 +110,8 @@ const kept = new Set(bundles.map(({ script }) => script));
 const bundled = new Set(bundles.flatMap(({ modules }) => modules));
 for (const module of bundled) {
   const [part] = path.relative(folder, module).split(path.sep);
-  const isOnlyThere = ['element', 'play', 'sound', 'edit'].includes(part);
+  const isOnlyThere =
+    ['element', 'play', 'sound', 'edit'].includes(part) &&
+    !path.relative(folder, module).startsWith(kForNode + path.sep);
   if (isOnlyThere && !kept.has(module)) await rm(module);
 }

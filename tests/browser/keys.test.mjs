@@ -128,6 +128,7 @@ test('Tab moves on from the canvas to the buttons, with a ring around them', asy
   assert.deepEqual(order, [
     'open-scenes solid',
     'open-lessons solid',
+    'open-edit solid',
     'open-lab solid',
     'open-keys solid',
     'open-settings solid',

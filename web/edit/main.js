@@ -40,7 +40,7 @@ const world = await openWorld(new URL(location.href)).catch((error) => fail(erro
 const kept = new Autosave(world.name);
 const before = world.isStranger ? null : await kept.read();
 const scene = readScene(before?.text ?? world.text);
-const own = new Map(); // the world's own pictures: file -> bytes
+const own = new Map(before?.pictures); // the world's own pictures: file -> bytes
 const history = new History(scene);
 const editor = new Editor(scene, history, place);
 const pictures = new Pictures(scene, (file) => readPicture(own, file));
@@ -308,7 +308,7 @@ async function walk(isOn) {
 // ---- Keeping
 
 scene.listen(() => {
-  if (scene.mistake === null) kept.keep(scene.text);
+  if (scene.mistake === null) kept.keep(scene.text, own);
 });
 kept.listen((what) => {
   byId('kept').textContent = {
@@ -319,7 +319,7 @@ kept.listen((what) => {
   if (what === 'elsewhere') toast('This world is open in another tab, too.');
 });
 shareDialog(byId('share'), byId('open-share'), { scene, own, world });
-openDialog(byId('files'), byId('open-files'), { toast });
+openDialog(byId('files'), byId('open-files'));
 keyHelp(byId('keys'), byId('open-keys'), kTools);
 listenToKeys(actions, camera, kTools, {
   isWalking: () => document.body.hasAttribute('data-walking'),

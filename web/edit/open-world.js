@@ -2,13 +2,15 @@
 // Takes an address; gives the text and where its pictures are. Changes nothing.
 //
 //     const world = await openWorld(new URL(location.href));
-//     {name, text, folder, isStranger}        // `name`: under which it is kept
-//     readerOf(world, own)                    // the bytes of a picture that the scene names
+//     {name, text, isStranger}                // `name`: under which it is kept
+//     readPicture(own, file)                  // the bytes of a picture of the scene, or null
 //
-// edit.html?scene=castle, ?template=cave, #world=... (a stranger's), or nothing.
+// edit.html?scene=castle, ?template=cave, ?file=mine (see open-dialog.js), #world=... (a
+// stranger's), or nothing.
 
 import { fetchBytes } from '../engine/fetch-bytes.js';
 import { kHome } from '../engine/home.js';
+import { Autosave } from './files/autosave.js';
 import { templates } from './files/templates.js';
 import { isWorldLink, textOf } from './files/world-link.js';
 import { printed } from './json-text.js';
@@ -28,6 +30,13 @@ export async function openWorld(address) {
       );
     const bytes = await fetchBytes(new URL(`${scene}.json`, kScenes));
     return { name: scene, text: new TextDecoder().decode(bytes), isStranger: false };
+  }
+  const file = wanted.get('file');
+  if (file !== null) {
+    const text = (await new Autosave(`file ${file}`).read())?.text;
+    if (text === undefined)
+      throw new Error(`This browser has no world "${file}". Open its file again.`);
+    return { name: `file ${file}`, text, isStranger: false };
   }
   const name = wanted.get('template') ?? templates[0].name;
   const template = templates.find((one) => one.name === name);

@@ -108,6 +108,11 @@ function start() {
     });
     dialogs.opens('scenes', () => menu.open(address.reference));
     status.scenes = list;
+    const edit = find('open-edit');
+    edit.addEventListener('click', () => {
+      const shipped = list.find(({ file }) => file === address.reference);
+      edit.href = `edit.html${shipped ? `?scene=${shipped.file.replace(/\.json$/, '')}` : ''}`;
+    });
     if (address.isPlain) opening.begin(list[0]?.flight);
   }
   const open = () =>

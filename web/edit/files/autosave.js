@@ -1,9 +1,10 @@
 // Keeps the world in the browser after each change, so that closing the page loses nothing.
-// Takes names and texts; gives them back. Two pages that keep the same world tell each other.
+// Takes names, texts and pictures; gives them back. Two pages that keep the same world tell each
+// other.
 //
 //     const kept = new Autosave('castle');
-//     await kept.read()                          // {text, savedAt} or null
-//     kept.keep(text);                           // soon; the last one counts
+//     await kept.read()                          // {text, pictures, savedAt} or null
+//     kept.keep(text, pictures);                 // soon; the last one counts
 //     kept.listen((what) => ...)                 // 'kept', 'failed', 'elsewhere'
 //     await kept.forget();
 
@@ -14,7 +15,7 @@ const kDelay = 400; // milliseconds
 export class Autosave {
   #key;
   #timer = 0;
-  #text = null;
+  #world = null; // {text, pictures} to be kept
   #listeners = [];
   #channel = new BroadcastChannel('slicecast edit');
   #id = crypto.randomUUID();
@@ -42,25 +43,31 @@ export class Autosave {
     }
   }
 
-  keep(text) {
-    this.#text = text;
+  keep(text, pictures) {
+    this.#world = { text, pictures };
     clearTimeout(this.#timer);
     this.#timer = setTimeout(() => this.#write(), kDelay);
   }
 
   async forget() {
     clearTimeout(this.#timer);
-    this.#text = null;
+    this.#world = null;
     await del(this.#key).catch(() => {});
+  }
+
+  // At once: another page will open it.
+  async write(text, pictures) {
+    this.#world = { text, pictures };
+    await this.#write();
   }
 
   async #write() {
     clearTimeout(this.#timer);
-    const text = this.#text;
-    if (text === null) return;
-    this.#text = null;
+    const world = this.#world;
+    if (world === null) return;
+    this.#world = null;
     try {
-      await set(this.#key, { text, savedAt: Date.now() });
+      await set(this.#key, { ...world, savedAt: Date.now() });
       this.#tell('kept');
     } catch {
       this.#tell('failed');

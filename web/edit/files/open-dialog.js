@@ -1,11 +1,44 @@
-// The dialog that opens another world: a template, a shipped scene, or a file.
-// Gives addresses to the browser: each world has one, so that going back works.
+// The dialog that opens another world: a template, a shipped scene, or files, which may also be
+// dropped anywhere on the page. Gives addresses to the browser: each world has one, so that going
+// back works.
 
 import { kHome } from '../../engine/home.js';
+import { Autosave } from './autosave.js';
+import { openFiles } from './open-file.js';
 import { templates } from './templates.js';
+
+const kMostListed = 12; // of what could not be taken
 
 export function openDialog(dialog, button) {
   let isFilled = false;
+  const told = dialog.querySelector('#open-told');
+  const input = document.createElement('input');
+  Object.assign(input, { type: 'file', multiple: true, hidden: true });
+  dialog.append(input);
+  dialog.querySelector('#open-file').addEventListener('click', () => input.click());
+  input.addEventListener('change', () => take(input.files));
+  addEventListener('dragover', (event) => event.preventDefault());
+  addEventListener('drop', (event) => {
+    event.preventDefault();
+    if (event.dataTransfer.files.length === 0) return;
+    if (!dialog.open) dialog.showModal();
+    take(event.dataTransfer.files);
+  });
+
+  async function take(files) {
+    told.replaceChildren('Opening …');
+    try {
+      const { name, text, pictures, notTaken } = await openFiles(files);
+      JSON.parse(text);
+      await new Autosave(`file ${name}`).write(text, pictures);
+      const go = () => location.assign(new URL(`?file=${encodeURIComponent(name)}`, location.href));
+      if (notTaken.length === 0) go();
+      else told.replaceChildren(...listOf(notTaken), opener(go));
+    } catch (error) {
+      told.replaceChildren(`This cannot be opened. ${error.message}`);
+    }
+  }
+
   button.addEventListener('click', async () => {
     dialog.showModal();
     if (isFilled) return;
@@ -38,4 +71,27 @@ function card(title, query, picture) {
   );
   item.append(button);
   return item;
+}
+
+function listOf(notTaken) {
+  const title = document.createElement('p');
+  title.textContent = `What could not be taken (${notTaken.length}):`;
+  const list = document.createElement('ul');
+  list.append(
+    ...notTaken.slice(0, kMostListed).map(({ place, reason }) => {
+      const item = document.createElement('li');
+      item.textContent = `${place}: ${reason}`;
+      return item;
+    }),
+  );
+  return [title, list];
+}
+
+function opener(go) {
+  const button = document.createElement('button');
+  button.type = 'button';
+  button.className = 'main';
+  button.textContent = 'Open the rest';
+  button.addEventListener('click', go);
+  return button;
 }

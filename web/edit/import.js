@@ -1,0 +1,3 @@
+// The importers as one script of the page, which loads when a map from elsewhere is opened.
+
+export { makeScene, readForeign } from './import/index.js';
