@@ -11,6 +11,7 @@
 namespace slicecast {
 namespace {
 
+constexpr double kFarthest = 32768.0;     // units, the limit of coordinates
 constexpr double kNearest = 1.0 / 64.0;   // perpendicular depth, units: nearer parts are left out
 constexpr double kOnFace = 1.0 / 1024.0;  // units: so close to a face, it does not hide the place
 constexpr int kDash = 4;                  // pixels, and of the gap as well, of lines one pixel wide
@@ -91,6 +92,11 @@ ScreenLine projected(const Mark& mark, const Eye& eye, const Projection& project
     return line;
 }
 
+bool isWithinLimits(const Place& place) {
+    const auto isNear = [](double value) { return std::abs(value) <= kFarthest; };
+    return isNear(place.x) && isNear(place.y) && isNear(place.z);
+}
+
 }  // namespace
 
 void drawMarks(const World& world, const Eye& eye, const RenderOptions& options,
@@ -99,7 +105,7 @@ void drawMarks(const World& world, const Eye& eye, const RenderOptions& options,
     std::vector<ScreenLine> lines;
     double length = 0.0;
     for (const Mark& mark : marks.first(std::min(marks.size(), kMostMarks))) {
-        if (mark.map != eye.map) continue;
+        if (mark.map != eye.map || !isWithinLimits(mark.from) || !isWithinLimits(mark.to)) continue;
         const ScreenLine line = projected(mark, eye, projection);
         if (!(line.last > line.first)) continue;
         lines.push_back(line);

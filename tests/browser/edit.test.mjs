@@ -2,10 +2,16 @@
 // and shared by a link.
 
 import assert from 'node:assert/strict';
+import { Buffer } from 'node:buffer';
 import { readFileSync } from 'node:fs';
+import { createRequire } from 'node:module';
 import { after, before, test } from 'node:test';
 import { frames, launch, openPage } from './browser.mjs';
 
+const kAxe = createRequire(import.meta.url).resolve('axe-core/axe.min.js');
+const { strToU8, zipSync } = createRequire(new URL('../../tools/package.json', import.meta.url))(
+  'fflate',
+);
 const kCastle = readFileSync(new URL('../../assets/scenes/castle.json', import.meta.url), 'utf8');
 
 let browser;
@@ -229,6 +235,75 @@ test('what was built is there again, and a link brings it to others', async (t) 
   await other.close();
 });
 
+test('what was made of a link stays in the browser, and can be begun anew', async (t) => {
+  const { page, server } = await openEditor(t);
+  await page.click('#open-share');
+  const link = await page.inputValue('#share-link');
+  const text = await textOf(page);
+  await page.goto(`${server.address}edit.html?template=cave`);
+  await page.waitForFunction(() => document.body.dataset.state === 'ready');
+  await page.goto(link);
+  await page.waitForFunction(() => document.body.dataset.state === 'ready');
+  await told(page, () => {
+    const { history } = window.slicecastEditor;
+    history.do('Rename', [{ path: ['title'], value: 'Mine' }]);
+  });
+  await page.waitForFunction(() => document.getElementById('kept').textContent.startsWith('Kept'));
+  await page.reload();
+  await page.waitForFunction(() => document.body.dataset.state === 'ready');
+  assert.equal(await page.inputValue('#title'), 'Mine');
+  await page.click('#open-files');
+  await Promise.all([page.waitForEvent('load'), page.click('#anew')]);
+  await page.waitForFunction(() => document.body.dataset.state === 'ready');
+  assert.deepEqual(JSON.parse(await textOf(page)), JSON.parse(text));
+});
+
+test('a scene, a zip and a map of Tiled open from files', async (t) => {
+  const { page } = await openEditor(t);
+  const open = async (files) => {
+    if (!(await page.isVisible('#files'))) await page.click('#open-files');
+    await page.setInputFiles('#files input[type=file]', files);
+  };
+  const arrived = async (query) => {
+    await page.waitForURL((address) => address.search === query);
+    await page.waitForFunction(() => document.body.dataset.state === 'ready');
+  };
+  const scene = JSON.parse(await textOf(page));
+  scene.textures.mine = 'mine.png';
+  scene.blueprints['my wall'] = { faces: 'mine' };
+  scene.legend.m = 'my wall';
+  const picture = readFileSync(new URL('../../assets/textures/brick.png', import.meta.url));
+  const text = JSON.stringify(scene);
+  const zip = Buffer.from(zipSync({ 'yard.json': strToU8(text), 'mine.png': picture }));
+  await open([{ name: 'yard.zip', mimeType: 'application/zip', buffer: zip }]);
+  await arrived('?file=yard');
+  assert.equal(await textOf(page), text);
+  await page.waitForFunction(() => window.slicecastEditor.caster.state === 'paused');
+  await page.click('#open-share');
+  assert.match(await page.textContent('#share-about'), /own pictures has no link/);
+  await page.click('#share [data-close]');
+
+  const rows = Array.from({ length: 8 }, (_, y) =>
+    Array.from({ length: 8 }, (__, x) => (x % 7 === 0 || y % 7 === 0 ? 1 : 0)),
+  );
+  const tmx = `<map version="1.10" orientation="orthogonal" width="8" height="8" tilewidth="16" tileheight="16">
+    <layer name="walls" width="8" height="8"><data encoding="csv">${rows.flat()}</data></layer></map>`;
+  const csv = { name: 'room.csv', mimeType: 'text/csv', buffer: Buffer.from(rows.join('\n')) };
+  await open([csv]);
+  const isListed = page.waitForSelector('#open-told button');
+  await Promise.race([isListed.then((button) => button.click()), page.waitForURL(/file=room/)]);
+  await arrived('?file=room');
+  assert.equal((await rowsOf(page, 0)).length, 8);
+  await open([{ name: 'broken.tmx', mimeType: 'text/xml', buffer: Buffer.from(tmx.slice(0, 90)) }]);
+  await page.waitForFunction(() =>
+    document.getElementById('open-told').textContent.startsWith('This cannot'),
+  );
+  await open([{ name: 'nothing.gif', mimeType: 'image/gif', buffer: Buffer.from('GIF') }]);
+  await page.waitForFunction(() =>
+    document.getElementById('open-told').textContent.includes('expected a scene'),
+  );
+});
+
 test('an author changes one block of the castle, and the text differs there alone', async (t) => {
   const { page } = await openEditor(t, '?scene=castle');
   await lookAt(page, { x: 40.5, y: 20.5, z: 5, heading: 180, look: -0.3 });
@@ -296,3 +371,32 @@ test('by keys alone a block is placed where the pointer is, and by touch too', a
   await page.touchscreen.tap(...(await pointOf(page, 16.5, 17.5, 0)));
   assert.notEqual((await rowsOf(page, 0))[17][16], '.');
 });
+
+for (const [name, viewport] of Object.entries({
+  'a small desk': { width: 1366, height: 768 },
+  'a large one': { width: 1920, height: 1080 },
+  'a tablet': { width: 820, height: 1180 },
+  'a phone': { width: 390, height: 844 },
+})) {
+  test(`on ${name} all fits, and axe finds nothing`, async (t) => {
+    const { page } = await openEditor(t, '?template=house', { viewport });
+    const overflow = await told(page, () => {
+      const { scrollWidth, scrollHeight } = document.documentElement;
+      return [scrollWidth - innerWidth, scrollHeight - innerHeight];
+    });
+    assert.deepEqual(overflow, [0, 0]);
+    const picture = await page.locator('#picture').boundingBox();
+    assert.ok(picture.width * picture.height > 0.25 * viewport.width * viewport.height);
+    await page.addScriptTag({ path: kAxe });
+    for (const view of ['picture', 'plan', 'text']) {
+      await page.click(`[data-view=${view}]`);
+      if (view === 'text') await page.waitForSelector('.cm-content');
+      const found = await told(page, async () =>
+        (await window.axe.run(document, { resultTypes: ['violations'] })).violations.map(
+          ({ id, nodes }) => [id, nodes[0].html],
+        ),
+      );
+      assert.deepEqual(found, [], view);
+    }
+  });
+}

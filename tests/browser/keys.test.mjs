@@ -120,7 +120,7 @@ test('Tab moves on from the canvas to the buttons, with a ring around them', asy
   assert.equal(await focused(page), 'open-scenes');
   await inState(page, 'paused');
   const order = [];
-  for (let i = 0; i < 7; ++i) {
+  for (let i = 0; i < 8; ++i) {
     const ring = await page.evaluate(() => getComputedStyle(document.activeElement).outlineStyle);
     order.push(`${await focused(page)} ${ring}`);
     await page.keyboard.press('Tab');

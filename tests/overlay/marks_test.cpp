@@ -5,6 +5,7 @@
 
 #include <gtest/gtest.h>
 
+#include <limits>
 #include <utility>
 #include <vector>
 
@@ -119,8 +120,12 @@ TEST(Marks, EndWhereTheyLeaveThePicture) {
     EXPECT_EQ(linesOf(eye, {{0, {3.0, 0.0, 9.5}, {3.0, 3.0, 9.5}, kYellow}}).first, -1) << "above";
     EXPECT_EQ(linesOf(eye, {{1, {4.5, 0.5, 0.5}, {4.5, 1.5, 0.5}, kYellow}}).first, -1)
         << "elsewhere";
-    const double most = 1e300;
-    EXPECT_GE(linesOf(eye, {{0, {-most, -most, 0.5}, {most, most, most}, kYellow}}).touched, 0);
+    for (const double most : {1e300, std::numeric_limits<double>::quiet_NaN()}) {
+        EXPECT_EQ(linesOf(eye, {{0, {-most, -most, 0.5}, {most, most, most}, kYellow}}).first, -1)
+            << most;
+    }
+    const double far = 32000.0;
+    EXPECT_GE(linesOf(eye, {{0, {-far, 1.0, 0.5}, {far, 1.0, 0.5}, kYellow}}).touched, 150);
 }
 
 TEST(Marks, OnlySoManyAreDrawn) {

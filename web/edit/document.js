@@ -12,7 +12,7 @@
 // A layer is the number of a level, 'floor' or 'ceiling'. While the text is no JSON, `mistake` says
 // where, and the value is the last good one.
 
-import { getLocation, parseTree, printParseErrorCode } from 'jsonc-parser';
+import { findNodeAtLocation, parseTree, printParseErrorCode } from 'jsonc-parser';
 import { signsOf } from '../engine/signs.js';
 import { editsToSet } from './json-text.js';
 
@@ -52,6 +52,12 @@ export class SceneDocument {
     return (this.#layers.get(`${map} ${layer}`) ?? []).map(({ node }) => node.value);
   }
 
+  // The keys of an object, in the order of the text; JavaScript lists whole numbers first.
+  keys(path) {
+    const node = findNodeAtLocation(this.#tree, path);
+    return node?.type === 'object' ? node.children.map(({ children }) => children[0].value) : [];
+  }
+
   // What stands in a cell: '.' also where there is no row.
   sign(map, layer, x, y) {
     const row = this.#layers.get(`${map} ${layer}`)?.[y];
@@ -63,11 +69,6 @@ export class SceneDocument {
     return change.cells === undefined
       ? editsToSet(this.#text, this.#tree, change.path, change.value, change)
       : this.#cellEdits(change);
-  }
-
-  // The path to the value at a place of the text.
-  pathAt(offset) {
-    return getLocation(this.#text, offset).path;
   }
 
   // Returns the edits that undo these.

@@ -14,7 +14,9 @@ const kCharacters =
 export function kindsOf(scene, map) {
   const { legend = {}, blueprints = {}, maps } = scene.value;
   const all = { ...legend, ...maps[map]?.legend };
-  return Object.entries(all)
+  const signs = new Set([...scene.keys(['legend']), ...scene.keys(['maps', map, 'legend'])]);
+  return [...signs]
+    .map((sign) => [sign, all[sign]])
     .filter(([sign, name]) => !kReserved.includes(sign) && Object.hasOwn(blueprints, name))
     .map(([sign, name]) => ({ sign, name, blueprint: blueprints[name] }));
 }

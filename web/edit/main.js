@@ -11,11 +11,10 @@ import { FlyCamera } from './fly-camera.js';
 import { History } from './history.js';
 import { keyHelp, listenToKeys } from './keys.js';
 import { KindPanel } from './kind-panel.js';
-import { kindOf } from './kinds.js';
 import { openWorld, readPicture } from './open-world.js';
 import { Palette } from './palette.js';
+import { Panel } from './panel.js';
 import { Schema } from './forms/schema.js';
-import { SchemaForm } from './forms/schema-form.js';
 import { Pictures } from './pictures.js';
 import { PictureView } from './picture-view.js';
 import { PlanView } from './plan-view.js';
@@ -38,7 +37,7 @@ const byId = (id) => document.getElementById(id);
 const caster = byId('picture');
 const world = await openWorld(new URL(location.href)).catch((error) => fail(error));
 const kept = new Autosave(world.name);
-const before = world.isStranger ? null : await kept.read();
+const before = await kept.read();
 const scene = readScene(before?.text ?? world.text);
 const own = new Map(before?.pictures); // the world's own pictures: file -> bytes
 const history = new History(scene);
@@ -80,9 +79,9 @@ const plan = new PlanView(
   },
   caster,
 );
-const shipped = fetch(new URL('edit/pictures.json', document.baseURI)).then((answer) =>
-  answer.json(),
-);
+const shipped = fetch(new URL('edit/pictures.json', document.baseURI))
+  .then((answer) => answer.json())
+  .catch(() => []); // only what the scene has can be chosen then
 const heights = new Map(); // usual ones of the shipped sprites
 shipped.then((groups) => {
   for (const { file, height } of groups.flatMap(({ pictures: all }) => all))
@@ -101,51 +100,12 @@ new KindPanel(byId('kind'), editor, pictures, {
   chooseTexture: (then) => adding.texture(then),
 });
 
-// ---- Forms
-
-const kTabs = ['kind', 'thing', 'map', 'world'];
-const schema = new Schema(
-  await fetch(new URL('scene.schema.json', document.baseURI)).then((answer) => answer.json()),
+const panel = new Panel(
+  editor,
+  new Schema(
+    await fetch(new URL('scene.schema.json', document.baseURI)).then((answer) => answer.json()),
+  ),
 );
-const leaveOut = { kind: ['faces', 'top', 'bottom'], map: ['objects'], world: ['title', 'maps'] };
-const forms = new Map(
-  kTabs.map((tab) => [
-    tab,
-    new SchemaForm(byId(`part-${tab}`).querySelector('.form'), editor, schema, {
-      leaveOut: leaveOut[tab],
-    }),
-  ]),
-);
-for (const tab of kTabs) byId(`tab-${tab}`).addEventListener('click', () => showTab(tab));
-byId('tabs').addEventListener('keydown', ({ key }) => {
-  const step = { ArrowRight: 1, ArrowLeft: -1 }[key];
-  if (step === undefined) return;
-  const shown = kTabs.findIndex((tab) => !byId(`part-${tab}`).hidden);
-  const next = kTabs[(shown + step + kTabs.length) % kTabs.length];
-  showTab(next);
-  byId(`tab-${next}`).focus();
-});
-
-function showTab(wanted) {
-  for (const tab of kTabs) {
-    byId(`part-${tab}`).hidden = tab !== wanted;
-    byId(`tab-${tab}`).setAttribute('aria-selected', String(tab === wanted));
-    byId(`tab-${tab}`).tabIndex = tab === wanted ? 0 : -1;
-  }
-  showForms();
-}
-
-function showForms() {
-  const kind = kindOf(scene, editor.map, editor.sign);
-  byId('part-thing').querySelector('p').hidden = editor.edited !== null;
-  const paths = {
-    kind: kind === null ? null : ['blueprints', kind.name],
-    thing: editor.edited,
-    map: ['maps', editor.map],
-    world: [],
-  };
-  for (const [tab, form] of forms) form.show(paths[tab]);
-}
 
 // ---- The bar
 
@@ -216,8 +176,6 @@ editor.listen((what) => {
   if (what === 'choice') showChoice();
   else showWhere();
 });
-let lastEdited = null;
-showTab('kind');
 showChoice();
 
 function showChoice() {
@@ -230,9 +188,7 @@ function showChoice() {
   if (String([...list.options].map(({ text }) => text)) !== String(maps))
     list.replaceChildren(...maps.map((name, index) => new Option(name, index)));
   list.value = String(editor.map);
-  if (editor.edited !== null && editor.edited !== lastEdited) showTab('thing');
-  lastEdited = editor.edited;
-  showForms();
+  panel.show();
   showWhere();
 }
 
@@ -319,14 +275,18 @@ kept.listen((what) => {
   if (what === 'elsewhere') toast('This world is open in another tab, too.');
 });
 shareDialog(byId('share'), byId('open-share'), { scene, own, world });
-openDialog(byId('files'), byId('open-files'));
+openDialog(byId('files'), byId('open-files'), async () => {
+  await kept.forget();
+  location.reload();
+});
 keyHelp(byId('keys'), byId('open-keys'), kTools);
 listenToKeys(actions, camera, kTools, {
   isWalking: () => document.body.hasAttribute('data-walking'),
 });
 
 if (before !== null && before.text !== world.text) toast('Your world is as you left it.');
-if (world.isStranger) toast('A world from a link. It is yours once you save it.');
+if (world.isStranger && before === null)
+  toast('A world from a link. What you change stays in this browser.');
 
 caster.addEventListener('ready', () => start(), { once: true });
 caster.addEventListener('error', ({ detail }) => {

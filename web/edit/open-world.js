@@ -20,8 +20,10 @@ const kName = /^[\w-]+$/;
 
 export async function openWorld(address) {
   const wanted = address.searchParams;
-  if (isWorldLink(address.hash))
-    return { name: 'from a link', text: textOf(address.hash), isStranger: true };
+  if (isWorldLink(address.hash)) {
+    const text = textOf(address.hash);
+    return { name: `link ${hashOf(text)}`, text, isStranger: true };
+  }
   const scene = wanted.get('scene');
   if (scene !== null) {
     if (!kName.test(scene))
@@ -49,6 +51,14 @@ export async function openWorld(address) {
     text: `${printed(template.scene(), '')}\n`,
     isStranger: false,
   };
+}
+
+// Each link has a name of its own, so that what was made of one is there again.
+function hashOf(text) {
+  let hash = 0xcbf29ce484222325n; // FNV-1a
+  for (const byte of new TextEncoder().encode(text))
+    hash = ((hash ^ BigInt(byte)) * 0x100000001b3n) & 0xffffffffffffffffn;
+  return hash.toString(16);
 }
 
 // Pictures of the world itself come first; then the shipped ones, and no others.

@@ -117,12 +117,7 @@ export class Palette {
     const icon = document.createElement('canvas');
     icon.width = icon.height = kIcon * Math.ceil(devicePixelRatio);
     button.append(icon);
-    if (index < 9) {
-      const digit = document.createElement('kbd');
-      digit.textContent = String(index + 1);
-      digit.setAttribute('aria-hidden', 'true');
-      button.append(digit);
-    }
+    if (index < 9) button.dataset.digit = String(index + 1);
     button.addEventListener('click', () => this.#editor.choose(choice));
     return button;
   }

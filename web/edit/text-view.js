@@ -83,7 +83,8 @@ export class TextView {
         ],
       }),
     });
-    scene.listen(({ undoing }) => this.#follow(undoing));
+    this.#view.scrollDOM.tabIndex = 0; // it is scrolled by keys, too
+    scene.listen(() => this.#follow());
   }
 
   focus() {

@@ -163,7 +163,7 @@ export class Questions {
         const wrong = (what, found, wanted) =>
           misread('mark', `${what} ${found} in line ${index}`, wanted);
         for (const [name, point] of Object.entries({ from, to })) {
-          if (point?.length !== 3 || !point.every(Number.isFinite))
+          if (point?.length !== 3 || !point.every((value) => Math.abs(value) <= kCoordinateLimit))
             throw wrong(name, String(point), 'three numbers: x, y and z');
         }
         if (!kColour.test(colour)) throw wrong('colour', String(colour), 'a colour as #c03020');

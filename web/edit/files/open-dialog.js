@@ -2,19 +2,21 @@
 // dropped anywhere on the page. Gives addresses to the browser: each world has one, so that going
 // back works.
 
-import { kHome } from '../../engine/home.js';
+import { listScenes, posterAddress } from '../../play/scene-list.js';
 import { Autosave } from './autosave.js';
 import { openFiles } from './open-file.js';
 import { templates } from './templates.js';
 
 const kMostListed = 12; // of what could not be taken
 
-export function openDialog(dialog, button) {
+// `beginAnew` opens the present world as it was.
+export function openDialog(dialog, button, beginAnew) {
   let isFilled = false;
   const told = dialog.querySelector('#open-told');
   const input = document.createElement('input');
   Object.assign(input, { type: 'file', multiple: true, hidden: true });
   dialog.append(input);
+  dialog.querySelector('#anew').addEventListener('click', beginAnew);
   dialog.querySelector('#open-file').addEventListener('click', () => input.click());
   input.addEventListener('change', () => take(input.files));
   addEventListener('dragover', (event) => event.preventDefault());
@@ -46,11 +48,12 @@ export function openDialog(dialog, button) {
     dialog
       .querySelector('#templates')
       .append(...templates.map(({ name, title }) => card(title, `?template=${name}`, null)));
-    const scenes = await fetch(new URL('scenes/index.json', kHome)).then((answer) => answer.json());
+    const scenes = await listScenes().catch(() => []); // the templates are there
     dialog.querySelector('#remixes').append(
-      ...scenes.map(({ file, title }) => {
+      ...scenes.map(({ file, title, poster }) => {
         const name = file.replace('.json', '');
-        return card(title, `?scene=${name}`, new URL(`scenes/${name}.png`, kHome));
+        const picture = poster === undefined ? null : posterAddress(poster);
+        return card(title, `?scene=${name}`, picture);
       }),
     );
   });

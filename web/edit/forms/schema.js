@@ -78,6 +78,7 @@ export class Schema {
       default:
         if (kind?.choices) return kind.choices[0];
         if (kind?.names) return names(kind.names)[0] ?? '';
+        if (kind?.pattern?.includes('png')) return 'picture.png';
         return kind?.isColour ? '#808080' : 'something';
     }
   }
@@ -125,12 +126,16 @@ export class Schema {
       });
     else if (type === 'boolean') kinds.push({ type });
     else if (type === 'array')
-      kinds.push({ type: 'list', item: this.#whole(node.items), count: node.minItems ?? 0 });
+      kinds.push({
+        type: 'list',
+        item: node.contains ? { ...node.items, ...node.contains } : node.items,
+        count: node.minItems ?? (node.contains ? 1 : 0),
+      });
     else if (type === 'object')
       kinds.push({
         type,
         keys: new Map(Object.entries(node.properties ?? {})),
-        needed: node.required ?? [],
+        needed: [...(node.required ?? []), ...(node.else?.required ?? [])],
         rest: typeof node.additionalProperties === 'object' ? node.additionalProperties : undefined,
       });
     else

@@ -1,0 +1,66 @@
+// The panel at the side: tabs for the chosen block, the chosen thing, the map and the world, each
+// with a form. Takes an editor and the schema; the forms give changes to the history.
+//
+//     const panel = new Panel(editor, schema);
+//     panel.show();                // after another choice
+//     panel.showTab('map');
+
+import { SchemaForm } from './forms/schema-form.js';
+import { kindOf } from './kinds.js';
+
+const kTabs = ['kind', 'thing', 'map', 'world'];
+// What other parts of the page show already
+const kLeaveOut = { kind: ['faces', 'top', 'bottom'], map: ['objects'], world: ['title', 'maps'] };
+const byId = (id) => document.getElementById(id);
+
+export class Panel {
+  #editor;
+  #forms;
+  #lastEdited = null;
+
+  constructor(editor, schema) {
+    this.#editor = editor;
+    this.#forms = kTabs.map((tab) => {
+      const place = byId(`part-${tab}`).querySelector('.form');
+      return new SchemaForm(place, editor, schema, { leaveOut: kLeaveOut[tab] });
+    });
+    for (const tab of kTabs) byId(`tab-${tab}`).addEventListener('click', () => this.showTab(tab));
+    byId('tabs').addEventListener('keydown', ({ key }) => this.#move(key));
+    this.showTab('kind');
+  }
+
+  showTab(wanted) {
+    for (const tab of kTabs) {
+      byId(`part-${tab}`).hidden = tab !== wanted;
+      byId(`tab-${tab}`).setAttribute('aria-selected', String(tab === wanted));
+      byId(`tab-${tab}`).tabIndex = tab === wanted ? 0 : -1;
+    }
+    this.#fill();
+  }
+
+  // A thing that was touched comes to the front.
+  show() {
+    const { edited } = this.#editor;
+    const isOther = edited !== null && edited !== this.#lastEdited;
+    this.#lastEdited = edited;
+    if (isOther) this.showTab('thing');
+    else this.#fill();
+  }
+
+  #move(key) {
+    const step = { ArrowRight: 1, ArrowLeft: -1 }[key];
+    if (step === undefined) return;
+    const shown = kTabs.findIndex((tab) => !byId(`part-${tab}`).hidden);
+    const next = kTabs[(shown + step + kTabs.length) % kTabs.length];
+    this.showTab(next);
+    byId(`tab-${next}`).focus();
+  }
+
+  #fill() {
+    const { scene, map, sign, edited } = this.#editor;
+    const kind = kindOf(scene, map, sign);
+    byId('part-thing').querySelector('p').hidden = edited !== null;
+    const paths = [kind === null ? null : ['blueprints', kind.name], edited, ['maps', map], []];
+    this.#forms.forEach((form, index) => form.show(paths[index]));
+  }
+}
