@@ -1,5 +1,5 @@
-// What forms know of the schema: every key of it has a kind that a form can show, and the value that
-// a form puts first is one that the schema takes.
+// What forms know of the schema: every key of it has a kind that a form can show, and the value
+// that a form puts first is one that the schema takes.
 
 import assert from 'node:assert/strict';
 import { readFileSync } from 'node:fs';
