@@ -4,8 +4,9 @@
 //     drawMarks(world, eye, options, {{{2.0, 3.0, 1.0}, {3.0, 3.0, 1.0}, {236, 200, 98, 255}}},
 //               picture);
 //
-// A line joins two points of the eye's map, within the limit of coordinates; see-through blocks and objects hide nothing, and behind
-// portals nothing is drawn. It is where the exact method draws such an edge.
+// A line joins two points of the eye's map, within the limit of coordinates; see-through blocks and
+// objects hide nothing, and behind portals nothing is drawn. It is where the exact method draws
+// such an edge.
 #pragma once
 
 #include "render/eye.h"
