@@ -6,7 +6,7 @@
 //
 // Modules that nothing else needs are removed; what Node imports stays.
 
-import { readFile, rm, writeFile } from 'node:fs/promises';
+import { readFile, readdir, rm, writeFile } from 'node:fs/promises';
 import path from 'node:path';
 import process from 'node:process';
 import { fileURLToPath } from 'node:url';
@@ -104,6 +104,26 @@ for (const { script, text } of bundles) {
     script,
     `// Of Slicecast's page, in one file, made of the modules of its folder web.\n${followed}`,
   );
+}
+
+// The licences of the libraries in the bundles must accompany them.
+const libraries = new Set(
+  bundles
+    .flatMap(({ modules }) => modules)
+    .map((module) => /^.*\/node_modules\/(@[^/]+\/)?[^/]+/.exec(module.replaceAll('\\', '/'))?.[0])
+    .filter((library) => library !== undefined),
+);
+for (const library of libraries) {
+  const name = /node_modules\/([^]*)$/.exec(library)[1].replace('@', '').replace('/', '-');
+  const file = (await readdir(library)).find((one) => /^licen[cs]e/i.test(one));
+  const { license, author } = JSON.parse(
+    await readFile(path.join(library, 'package.json'), 'utf8'),
+  );
+  const text =
+    file === undefined
+      ? `${license}\n${JSON.stringify(author ?? '')}\n`
+      : await readFile(path.join(library, file), 'utf8');
+  await writeFile(inFolder(path.join('licences', `${name}.txt`)), text);
 }
 
 const kept = new Set(bundles.map(({ script }) => script));

@@ -1,4 +1,5 @@
-// The licences of the libraries in the engine and in the tutorial, which must accompany them.
+// The licences of the libraries in the engine, the tutorial and the editor, which must accompany
+// them.
 
 import assert from 'node:assert/strict';
 import { execFileSync } from 'node:child_process';
@@ -14,6 +15,11 @@ const kLicences = {
   'licences/stb.txt': /Sean Barrett[\s\S]*Permission is hereby granted, free of charge/,
   'licences/RapidJSON.txt': /Milo Yip[\s\S]*Permission is hereby granted, free of charge/,
   'licences/codemirror-view.txt': /Marijn Haverbeke[\s\S]*Permission is hereby granted/,
+  'licences/jsonc-parser.txt': /Microsoft[\s\S]*Permission is hereby granted/,
+  'licences/fflate.txt': /Arjun Barrett[\s\S]*Permission is hereby granted/,
+  'licences/idb-keyval.txt': /Apache|Jake Archibald/,
+  'licences/rgrove-parse-xml.txt': /Ryan Grove/,
+  'licences/zstddec.txt': /MIT/,
   'licences/minisearch.txt': /Luca Ongaro[\s\S]*Permission is hereby granted/,
   'licences/temml.txt': /Permission is hereby granted/,
   'licences/musl.txt': /Rich Felker[\s\S]*Permission is hereby granted, free of charge/,
