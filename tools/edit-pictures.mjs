@@ -22,7 +22,6 @@ if (folder === undefined)
   throw new Error('tools/edit-pictures.mjs: found no folder, expected that of the built page');
 
 const uses = usesInScenes(path.join(folder, 'scenes'));
-const rates = ratesInScenes(path.join(folder, 'scenes'));
 const seen = new Set();
 const groups = readFileSync(kCatalogue, 'utf8')
   .split(/^## /m)
@@ -39,27 +38,9 @@ writeFileSync(path.join(folder, 'edit', 'pictures.json'), JSON.stringify(groups)
 
 function described(file) {
   const { named = [], heights = [] } = uses.get(file) ?? {};
-  const { frames = 1, views = 1 } = named[0] ?? {};
-  const height = heights[Math.floor(heights.length / 2)];
-  return {
-    file,
-    ...(frames > 1 && { frames }),
-    ...(frames > 1 && rates.has(file) && { rate: rates.get(file) }),
-    ...(views > 1 && { views }),
-    ...(height && { height }),
-  };
-}
-
-function ratesInScenes(scenes) {
-  const found = new Map();
-  for (const scene of new Set(
-    [...usesInScenes(scenes).values()].flatMap(({ named }) => named.map((use) => use.scene)),
-  )) {
-    const { textures = {}, sprites = {} } = JSON.parse(
-      readFileSync(path.join(scenes, scene), 'utf8'),
-    );
-    for (const { file, rate } of [...Object.values(textures), ...Object.values(sprites)])
-      if (rate !== undefined) found.set(file.replace(/^\.\.\//, ''), rate);
-  }
-  return found;
+  const { frames = 1, views = 1, rate } = named[0] ?? {};
+  const said = { file, height: heights[heights.length >> 1] };
+  if (frames > 1) Object.assign(said, { frames, rate });
+  if (views > 1) said.views = views;
+  return said;
 }

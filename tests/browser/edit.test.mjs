@@ -179,6 +179,9 @@ test('the text is the same document: typing changes the world, faults leave it',
   await page.keyboard.press('Control+Home');
   await page.keyboard.type(' ');
   assert.equal((await textOf(page)).slice(0, 2), ' {');
+  await page.keyboard.press('Control+z');
+  assert.equal((await textOf(page))[0], '{');
+  await page.keyboard.press('Control+y');
   await replaceText('"floor": "grass"', '"floor": "gras"');
   await page.waitForSelector('#problems:not([hidden])');
   assert.match(await page.textContent('#problems li'), /found the name "gras"/);
@@ -286,8 +289,8 @@ test('a scene, a zip and a map of Tiled open from files', async (t) => {
   const rows = Array.from({ length: 8 }, (_, y) =>
     Array.from({ length: 8 }, (__, x) => (x % 7 === 0 || y % 7 === 0 ? 1 : 0)),
   );
-  const tmx = `<map version="1.10" orientation="orthogonal" width="8" height="8" tilewidth="16" tileheight="16">
-    <layer name="walls" width="8" height="8"><data encoding="csv">${rows.flat()}</data></layer></map>`;
+  const tmx = `<map orientation="orthogonal" width="8" height="8" tilewidth="16" tileheight="16">
+    <layer name="walls" width="8" height="8"><data encoding="csv">${rows}</data></layer></map>`;
   const csv = { name: 'room.csv', mimeType: 'text/csv', buffer: Buffer.from(rows.join('\n')) };
   await open([csv]);
   const isListed = page.waitForSelector('#open-told button');

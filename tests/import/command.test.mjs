@@ -51,7 +51,7 @@ const kTmx = `<map orientation="orthogonal" width="3" height="2" tilewidth="16" 
 </map>`;
 const kTsx = `<tileset name="town" tilewidth="16" tileheight="16" tilecount="6" columns="3"><image source="town.png" width="48" height="32"/></tileset>`;
 
-test('it writes a scene with all its pictures beside it, and says what it could not take', async () => {
+test('it writes a scene with its pictures beside it, and says what it left out', async () => {
   const { folder, call } = await folderWith({ 'maze.txt': kMatrix });
   const { status, stdout, stderr } = await call('import', 'maze.txt');
   assert.deepEqual([status, stderr], [0, '']);

@@ -141,7 +141,7 @@ test('sizes beyond the limits take no memory', async () => {
   });
 });
 
-test('names that leave the folder, or are addresses, are refused before anything is read', async () => {
+test('names that leave the folder, or are addresses, are refused before reading', async () => {
   const { readForeign, ImportError } = await importModules();
   const names = [
     '../town.tsx',

@@ -131,7 +131,7 @@ const projectOf = (levels, more = {}) => ({
   ...more,
 });
 
-test('values become blocks that look like their automatic tiles; entities become objects', async () => {
+test('values become blocks that look like their tiles; entities become objects', async () => {
   const { scene, pictures, notTaken } = await make(
     'dungeon.ldtk',
     projectOf([level('Entry')]),

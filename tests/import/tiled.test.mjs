@@ -230,7 +230,7 @@ test('groups, offsets and properties of layers are kept, hidden layers are told'
   assert.match(told, /layer "b": its offset of 5,0 pixels is rounded/);
 });
 
-test('tiles that are turned become pictures that are turned; the fourth bit is ignored', async () => {
+test('turned tiles become turned pictures; the fourth bit is ignored', async () => {
   const [h, v, d, hex] = [0x80000000, 0x40000000, 0x20000000, 0x10000000];
   // Where the light bar lies then: left or right, upper or lower; and whether it is upright.
   const cases = [
@@ -577,7 +577,7 @@ test('a dialog may change what layers and tiles become', async () => {
   assert.match(JSON.stringify(changed.notTaken), /left out, with 20 tiles/);
 });
 
-test('names of files are relative to the file that names them, and nothing else is read', async () => {
+test('names of files are relative to the file that names them; no others are read', async () => {
   const { readForeign } = await (await import('./load.mjs')).importModules();
   const { readFile: read, asked } = readerOf({
     'tiles/town.tsx': `<tileset name="town" tilewidth="16" tileheight="16" tilecount="6" columns="3"><image source="../art/town.png" width="48" height="32"/></tileset>`,

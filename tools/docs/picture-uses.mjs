@@ -4,7 +4,7 @@ import { readFileSync, readdirSync } from 'node:fs';
 
 // A map by the pictures' names, 'sprites/cat.png', with
 //
-//     named      where a scene gives it a name: [{scene, frames, views}]
+//     named      where a scene gives it a name: [{scene, frames, views, rate}]
 //     heights    the heights of its objects in all scenes, in units, the smallest first
 export function usesInScenes(folder) {
   const uses = new Map();
@@ -18,8 +18,8 @@ export function usesInScenes(folder) {
     const { textures, sprites, maps } = JSON.parse(readFileSync(`${folder}/${scene}`, 'utf8'));
     const named = [textures, sprites].flatMap((each) => Object.values(each ?? {}));
     for (const entry of named) {
-      const { frames = 1, views = 1 } = entry;
-      usesOf(entry).named.push({ scene, frames, views });
+      const { frames = 1, views = 1, rate } = entry;
+      usesOf(entry).named.push({ scene, frames, views, rate });
     }
     const objects = maps.flatMap((map) => [...(map.objects ?? []), ...(map.sow ?? [])]);
     for (const { sprite, height } of objects)

@@ -7,7 +7,7 @@
 //     scene.edits({ path: ['start', 'x'], value: 2.5 })             // such edits; see json-text.js
 //     scene.edits({ map: 0, cells: [{ layer: 1, x: 3, y: 4, sign: '#' }] })
 //     scene.rows(0, 1)                                              // of a layer, as texts
-//     scene.listen(({ cells, isWhole, undoing }) => ...)
+//     scene.listen(({ cells, isWhole, edits, undoing }) => ...)
 //
 // A layer is the number of a level, 'floor' or 'ceiling'. While the text is no JSON, `mistake` says
 // where, and the value is the last good one.
@@ -91,7 +91,7 @@ export class SceneDocument {
     const cells = this.#takeCells(edits);
     this.#text = parts.join('');
     if (cells === null) this.#read();
-    const change = { cells: cells ?? [], isWhole: cells === null, undoing };
+    const change = { cells: cells ?? [], isWhole: cells === null, edits, undoing };
     for (const listener of this.#listeners) listener(change);
     return undoing;
   }

@@ -8,18 +8,25 @@
 //     history.redo();
 //     history.listen(() => ...);
 
+const kPause = 1000; // milliseconds without a key; what is typed then is undone by itself
+
 export class History {
   #scene;
   #done = []; // {label, key, undoing: [edits, ...]}, the newest last
   #undone = [];
   #listeners = [];
   #isActing = false;
+  #typedAt = 0; // milliseconds
 
   constructor(scene) {
     this.#scene = scene;
     // Edits that others apply, as the text view does, can be undone, too.
     scene.listen(({ undoing }) => {
-      if (!this.#isActing) this.#keep({ label: 'Type', key: 'type', undoing: [undoing] });
+      if (this.#isActing) return;
+      const now = performance.now();
+      if (now - this.#typedAt > kPause) this.close();
+      this.#typedAt = now;
+      this.#keep({ label: 'Type', key: 'type', undoing: [undoing] });
     });
   }
 

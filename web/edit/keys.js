@@ -24,7 +24,7 @@ const kGroups = [
       ['Shift', 'faster'],
       ['Right button, dragged', 'look around'],
       ['Wheel', 'ahead and back'],
-      ['Tab', 'walk, and back to building'],
+      ['Tab', 'walk, and back to building; Shift and Tab goes to the buttons'],
     ],
   ],
   [
@@ -42,13 +42,14 @@ export function listenToKeys(actions, camera, tools, { isWalking }) {
     'keydown',
     (event) => {
       if (document.querySelector('dialog[open]') !== null) return;
-      if (event.code === 'Tab' && !event.ctrlKey && !event.altKey && isFree(event.target)) {
+      if (event.code === 'Tab' && isWalkKey(event)) {
         event.preventDefault();
         event.stopPropagation();
         actions.walk();
         return;
       }
-      if (isWalking() || !isFree(event.target)) return;
+      if (isWalking()) return;
+      if (!isFree(event.target) && !isUndoOfText(event)) return;
       if (take(event)) event.preventDefault();
     },
     true,
@@ -91,6 +92,17 @@ export function listenToKeys(actions, camera, tools, { isWalking }) {
     }
     return true;
   }
+}
+
+// Elsewhere Tab goes from button to button, as does Shift and Tab everywhere.
+function isWalkKey({ target, ctrlKey, altKey, shiftKey }) {
+  return !ctrlKey && !altKey && !shiftKey && target.matches('body, #picture, #plan');
+}
+
+// The text has no history of its own.
+function isUndoOfText({ target, code, ctrlKey, metaKey }) {
+  const isUndo = (ctrlKey || metaKey) && (code === 'KeyZ' || code === 'KeyY');
+  return isUndo && target.closest?.('.cm-editor') !== null;
 }
 
 // Where one types, keys are letters.

@@ -296,7 +296,7 @@ caster.addEventListener('error', ({ detail }) => {
 
 function start() {
   caster.flying = true;
-  const { view } = { view: caster.currentView };
+  const view = caster.currentView;
   editor.choose({
     map: Math.max(
       0,
@@ -305,6 +305,7 @@ function start() {
   });
   caster.look({ ...view, z: view.z + 1.2, flying: true });
   document.body.dataset.state = 'ready';
+  // For the browser's console, and for tests.
   window.slicecastEditor = { scene, history, editor, sync, caster };
 }
 

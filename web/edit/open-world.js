@@ -22,7 +22,7 @@ export async function openWorld(address) {
   const wanted = address.searchParams;
   if (isWorldLink(address.hash)) {
     const text = textOf(address.hash);
-    return { name: `link ${hashOf(text)}`, text, isStranger: true };
+    return { name: `link ${hashOf(address.hash)}`, text, isStranger: true };
   }
   const scene = wanted.get('scene');
   if (scene !== null) {
@@ -55,10 +55,12 @@ export async function openWorld(address) {
 
 // Each link has a name of its own, so that what was made of one is there again.
 function hashOf(text) {
-  let hash = 0xcbf29ce484222325n; // FNV-1a
-  for (const byte of new TextEncoder().encode(text))
-    hash = ((hash ^ BigInt(byte)) * 0x100000001b3n) & 0xffffffffffffffffn;
-  return hash.toString(16);
+  let [one, other] = [0x811c9dc5, 0x1b873593];
+  for (let at = 0; at < text.length; ++at) {
+    one = Math.imul(one ^ text.charCodeAt(at), 0x01000193);
+    other = Math.imul(other ^ text.charCodeAt(at), 0x5bd1e995);
+  }
+  return [one, other].map((part) => (part >>> 0).toString(16)).join('');
 }
 
 // Pictures of the world itself come first; then the shipped ones, and no others.

@@ -63,6 +63,7 @@ export class PictureView {
   #isAsked = false;
   #isTurning = false; // the wheel shapes a block, which stays pointed at until the pointer moves
   #place = null;
+  #marked = ''; // the lines that are shown, as text
   isOn = true; // not while somebody walks
   #life = new AbortController();
 
@@ -89,6 +90,7 @@ export class PictureView {
 
   // Where the pointer is, once more: the world has changed under it.
   refresh() {
+    this.#marked = ''; // another world has no marks
     this.#ask();
   }
 
@@ -268,7 +270,13 @@ export class PictureView {
   }
 
   #mark() {
-    if (this.isOn && this.#caster.currentView !== null) this.#caster.mark(this.#editor.marks);
+    if (!this.isOn || this.#caster.world === null) return;
+    const maps = this.#caster.world.maps.map(({ name }) => name);
+    const lines = this.#editor.marks.filter(({ map }) => maps.includes(map));
+    const said = JSON.stringify(lines);
+    if (said === this.#marked) return;
+    this.#marked = said;
+    this.#caster.mark(lines);
   }
 }
 

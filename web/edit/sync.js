@@ -49,12 +49,13 @@ export class Sync {
   // False where the engine does not take them: movers, gates, floors.
   #setCells(cells) {
     if (cells.some(({ layer }) => typeof layer !== 'number')) return false;
-    const byMap = Map.groupBy(cells, ({ map }) => map);
     try {
-      for (const [map, list] of byMap)
+      for (const map of new Set(cells.map((cell) => cell.map)))
         this.#caster.setCells(
           this.#scene.value.maps[map].name,
-          list.map(({ layer, x, y, sign }) => ({ level: layer, x, y, character: sign })),
+          cells
+            .filter((cell) => cell.map === map)
+            .map(({ layer, x, y, sign }) => ({ level: layer, x, y, character: sign })),
         );
       return true;
     } catch (error) {
