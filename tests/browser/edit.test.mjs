@@ -194,6 +194,20 @@ test('the text is the same document: typing changes the world, faults leave it',
   await page.click('.cm-content');
   await page.keyboard.press('Control+Home');
   assert.match(await page.textContent('.cm-activeLine'), /^\{/);
+  // What the other views do arrives in the text.
+  await told(page, () => {
+    const { history, editor } = window.slicecastEditor;
+    const cells = [3, 5, 9].map((x) => ({ layer: 0, x, y: 0, sign: editor.sign }));
+    history.do('Place', [
+      { path: ['title'], value: 'Other' },
+      { map: 0, cells },
+    ]);
+  });
+  const row = (await rowsOf(page, 0))[0];
+  await page.click('[data-view=text]');
+  const shown = await page.textContent('.cm-content');
+  assert.match(shown, /"title": "Other"/);
+  assert.match(row, /^\.{3}([^.])\.\1\.{3}\1/);
 });
 
 test('one walks where one stands, and goes on building', async (t) => {

@@ -48,6 +48,7 @@ const json = StreamLanguage.define({
 export class TextView {
   #view;
   #scene;
+  #isTyping = false;
 
   constructor(parent, scene) {
     this.#scene = scene;
@@ -84,7 +85,7 @@ export class TextView {
       }),
     });
     this.#view.scrollDOM.tabIndex = 0; // it is scrolled by keys, too
-    scene.listen(() => this.#follow());
+    scene.listen(({ edits }) => this.#isTyping || this.#follow(edits));
   }
 
   focus() {
@@ -130,17 +131,22 @@ export class TextView {
         edits.push({ offset: from, length: to - from, content: inserted.toString() }),
       );
     }
+    this.#isTyping = true;
     this.#scene.apply(edits);
+    this.#isTyping = false;
   }
 
-  #follow() {
-    const text = this.#scene.text.replaceAll('\r\n', '\n');
-    const present = this.#view.state.doc.toString();
-    if (present === text) return;
-    this.#view.dispatch({
-      changes: difference(present, text), // so that the cursor stays
-      annotations: fromScene.of(true),
-    });
+  // Where a line break is two characters in the scene, by comparing.
+  #follow(edits) {
+    const { text } = this.#scene;
+    const changes = text.includes('\r')
+      ? difference(this.#view.state.doc.toString(), text.replaceAll('\r\n', '\n'))
+      : edits.map(({ offset, length, content }) => ({
+          from: offset,
+          to: offset + length,
+          insert: content,
+        }));
+    this.#view.dispatch({ changes, annotations: fromScene.of(true) });
   }
 }
 
