@@ -6,7 +6,16 @@ import { Buffer } from 'node:buffer';
 import { readFileSync } from 'node:fs';
 import { createRequire } from 'node:module';
 import { after, before, test } from 'node:test';
-import { frames, launch, openPage } from './browser.mjs';
+import { frames, launch } from './browser.mjs';
+import {
+  lookAt,
+  openEditor as openTheEditor,
+  pointOf,
+  rowsOf,
+  settle,
+  textOf,
+  told,
+} from './editor-page.mjs';
 
 const kAxe = createRequire(import.meta.url).resolve('axe-core/axe.min.js');
 const { strToU8, zipSync } = createRequire(new URL('../../tools/package.json', import.meta.url))(
@@ -20,54 +29,7 @@ before(async () => {
 });
 after(() => browser.close());
 
-async function openEditor(t, query = '?template=meadow', options = {}) {
-  const opened = await openPage(t, browser, {
-    query: `edit.html${query}`,
-    viewport: { width: 1366, height: 768 },
-    ...options,
-  });
-  await opened.page.waitForFunction(() => document.body.dataset.state === 'ready');
-  return opened;
-}
-
-const told = (page, tell, argument) => page.evaluate(tell, argument);
-const textOf = (page) => told(page, () => window.slicecastEditor.scene.text);
-const settle = async (page) => {
-  await told(page, () => window.slicecastEditor.sync.settled());
-  await frames(page);
-};
-// The rows of a level, in the document and in the engine; they must be the same.
-async function rowsOf(page, level) {
-  await settle(page);
-  const [ours, theirs] = await told(
-    page,
-    (which) => {
-      const { scene, caster, editor } = window.slicecastEditor;
-      return [scene.rows(editor.map, which), caster.cells(editor.mapName)[which]];
-    },
-    level,
-  );
-  const dotted = (rows) => rows.map((row) => row.replaceAll(' ', '.'));
-  if (ours.length > 0) assert.deepEqual(dotted(theirs), dotted(ours));
-  return ours;
-}
-// Where a point of the world is in the window.
-const pointOf = (page, x, y, z) =>
-  told(
-    page,
-    (place) => {
-      const { clientX, clientY } = window.slicecastEditor.caster.project(...place);
-      return [clientX, clientY];
-    },
-    [x, y, z],
-  );
-async function lookAt(page, view) {
-  await told(page, (wanted) => window.slicecastEditor.caster.look(wanted), {
-    ...view,
-    flying: true,
-  });
-  await frames(page);
-}
+const openEditor = (t, query, options) => openTheEditor(t, browser, query, options);
 
 test('a first block is placed with one click, removed with another, and undone', async (t) => {
   const { page } = await openEditor(t);
