@@ -108,6 +108,47 @@ test('levels and floors are made where a cell needs them', () => {
   assert.equal(scene.text, kRoom);
 });
 
+test('filled and repeated levels have rows, which are written out where a cell changes', () => {
+  const text = `{
+  "blueprints": { "wall": { "faces": "grey" } },
+  "legend": { "#": "wall", "o": "wall" },
+  "maps": [{ "name": "tower", "size": [4, 3], "levels": [
+    { "fill": "#", "rows": ["    ", " ..o"] },
+    { "repeat": 2, "levels": [
+      [],
+      { "fill": [{ "character": "o", "x": 1, "y": 1, "width": 9, "depth": 1 }] }
+    ] },
+    [ "...#", "....", "...." ]
+  ] }],
+  "start": { "x": 1.5, "y": 1.5 }
+}
+`;
+  const { scene, history } = opened(text);
+  assert.deepEqual(sizeOf(scene, 0), { width: 4, depth: 3, levels: 6 });
+  const rows = () => scene.levels(0).map((_, level) => scene.rows(0, level));
+  const ring = ['....', '.ooo', '....'];
+  const before = [['####', '#..o', '####'], [], ring, [], ring, ['...#', '....', '....']];
+  assert.deepEqual(rows(), before);
+  const put = (cells) => history.do('Place', cellChanges(scene, 0, cells));
+  put([{ layer: 5, x: 0, y: 0, sign: 'o' }]);
+  assert.deepEqual(difference(text, scene.text), ['.', 'o'], 'a row below a repetition');
+  put([{ layer: 2, x: 1, y: 1, sign: 'o' }]);
+  assert.equal(history.length, 1, 'what stands there is not written');
+  put([{ layer: 3, x: 0, y: 2, sign: '#' }]);
+  const after = before.with(3, ['....', '....', '#...']).with(5, ['o..#', '....', '....']);
+  assert.deepEqual(rows(), after);
+  assert.deepEqual(scene.value.maps[0].levels.slice(1), after.slice(1));
+  assert.deepEqual(scene.value.maps[0].levels[0].rows, ['    ', ' ..o'], 'not touched');
+  put([
+    { layer: 0, x: 3, y: 2, sign: '.' },
+    { layer: 7, x: 0, y: 0, sign: '#' },
+  ]);
+  assert.deepEqual(rows().slice(0, 1), [['####', '#..o', '###.']]);
+  assert.deepEqual(rows().slice(6), [[], ['#...', '....', '....']]);
+  while (history.undo() !== null);
+  assert.equal(scene.text, text);
+});
+
 test('signs of several code points and escapes in rows are one cell each', () => {
   const text = kRoom
     .replace('"#": "wall"', '"#": "wall", "🇩🇪": "wall", "\\"": "wall"')

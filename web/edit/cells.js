@@ -6,19 +6,12 @@
 //     cellChanges(scene, 0, [{ layer: 3, x: 1, y: 2, sign: '#' }])
 //     isInside(scene, 0, { x: 1, y: 2 })
 
-import { signsOf } from '../engine/signs.js';
+import { entriesOf, kEmpty, kMostLevels, sizeOfMap } from './levels.js';
 
-export const kMostLevels = 32; // of a map, as the engine has it
-export const kEmpty = '.';
+export { kEmpty, kMostLevels };
 
 export function sizeOf(scene, map) {
-  const { levels = [], floor, ceiling } = scene.value.maps[map];
-  const rows = [...levels, floor?.tiles, ceiling?.tiles].find((layer) => layer?.length > 0) ?? [];
-  return {
-    width: rows.length === 0 ? 0 : signsOf(rows[0]).length,
-    depth: rows.length,
-    levels: levels.length,
-  };
+  return { ...sizeOfMap(scene.value.maps[map]), levels: scene.levels(map).length };
 }
 
 export function isInside(scene, map, { x, y, level = 0 }) {
@@ -37,29 +30,45 @@ export function cellChanges(scene, map, cells) {
   for (const { layer, x, y, sign } of inside)
     if (scene.sign(map, layer, x, y) !== sign) layers.add(layer);
   if (layers.size === 0) return [];
-  return [...missingLayers(scene, map, layers), { map, cells: inside }];
+  const empty = Array.from({ length: depth }, () => kEmpty.repeat(width));
+  return [
+    ...missingLevels(scene, map, layers, empty),
+    ...['floor', 'ceiling']
+      .filter((layer) => layers.has(layer) && scene.rows(map, layer).length === 0)
+      .map((layer) => tilesFor(scene, map, layer, empty)),
+    { map, cells: inside },
+  ];
 }
 
-function missingLayers(scene, map, layers) {
-  const { width, depth, levels } = sizeOf(scene, map);
-  const rows = Array.from({ length: depth }, () => kEmpty.repeat(width));
+// From the top down, so that no entry moves before its turn.
+function missingLevels(scene, map, layers, empty) {
+  const path = (entry) => ['maps', map, 'levels', entry];
+  const levels = scene.levels(map);
+  const numbers = [...layers].filter((layer) => typeof layer === 'number');
   const changes = [];
-  const highest = Math.max(-1, ...[...layers].filter((layer) => typeof layer === 'number'));
-  for (let level = 0; level <= highest; ++level) {
-    const isNeeded = layers.has(level) && scene.rows(map, level).length === 0;
-    if (level >= levels || isNeeded)
-      changes.push({ path: ['maps', map, 'levels', level], value: isNeeded ? rows : [] });
+  for (let level = levels.length; level <= Math.max(-1, ...numbers); ++level) {
+    const entry = entriesOf(scene.value.maps[map]) + level - levels.length;
+    changes.push({ path: path(entry), value: layers.has(level) ? empty : [] });
   }
-  for (const layer of ['floor', 'ceiling']) {
-    if (!layers.has(layer) || scene.rows(map, layer).length > 0) continue;
-    const present = scene.value.maps[map][layer];
-    const isPlain = typeof present === 'string';
-    const tiles = { texture: present, legend: {}, tiles: rows };
-    changes.push(
-      isPlain
-        ? { path: ['maps', map, layer], value: tiles }
-        : { path: ['maps', map, layer, 'tiles'], value: rows },
-    );
+  const lacks = (level) => layers.has(level) && levels[level].rows.length === 0;
+  const entries = levels
+    .filter(({ isWritten }, level) => layers.has(level) && (!isWritten || lacks(level)))
+    .map(({ entry }) => entry);
+  for (const entry of [...new Set(entries)].reverse()) {
+    // A fill or a repetition is written out, all of it.
+    const [first, ...others] = [...levels.entries()]
+      .filter(([, level]) => level.entry === entry)
+      .map(([level, { rows }]) => (lacks(level) ? empty : rows));
+    changes.push({ path: path(entry), value: first });
+    for (const [index, value] of others.entries())
+      changes.push({ path: path(entry + 1 + index), value, insert: true });
   }
   return changes;
+}
+
+function tilesFor(scene, map, layer, rows) {
+  const present = scene.value.maps[map][layer];
+  return typeof present === 'string'
+    ? { path: ['maps', map, layer], value: { texture: present, legend: {}, tiles: rows } }
+    : { path: ['maps', map, layer, 'tiles'], value: rows };
 }

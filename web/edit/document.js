@@ -9,12 +9,14 @@
 //     scene.rows(0, 1)                                              // of a layer, as texts
 //     scene.listen(({ cells, isWhole, edits, undoing }) => ...)
 //
-// A layer is the number of a level, 'floor' or 'ceiling'. While the text is no JSON, `mistake` says
-// where, and the value is the last good one.
+// A layer is the number of a level, 'floor' or 'ceiling'. Levels that are filled or repeated have
+// rows, too, but none in the text: cellChanges() of cells.js writes them out first. While the text
+// is no JSON, `mistake` says where, and the value is the last good one.
 
 import { findNodeAtLocation, parseTree, printParseErrorCode } from 'jsonc-parser';
 import { signsOf } from '../engine/signs.js';
 import { editsToSet } from './json-text.js';
+import { levelsOf } from './levels.js';
 
 const kStrict = { disallowComments: true, allowTrailingComma: false };
 const kEscapes = /["\\\u0000-\u001f]/; // eslint-disable-line no-control-regex -- JSON's own
@@ -23,8 +25,9 @@ export class SceneDocument {
   #text;
   #tree;
   #value;
-  #rows = []; // {offset, length, map, layer, y, node} of each row of tiles, in the text's order
+  #rows = []; // {map, layer, entry, y, node} of each row of tiles, in the text's order
   #layers = new Map(); // 'map layer' -> those of one layer
+  #levels = []; // of each map, as levelsOf() has them
   #listeners = [];
 
   mistake = null; // {offset, length, message}
@@ -49,7 +52,13 @@ export class SceneDocument {
 
   // The rows of a layer; none if it has none of its own.
   rows(map, layer) {
-    return (this.#layers.get(`${map} ${layer}`) ?? []).map(({ node }) => node.value);
+    const written = this.#layers.get(`${map} ${layer}`);
+    return written?.map(({ node }) => node.value) ?? this.#levels[map]?.[layer]?.rows ?? [];
+  }
+
+  // The levels of a map: {entry, isWritten, rows}; see levels.js.
+  levels(map) {
+    return this.#levels[map] ?? [];
   }
 
   // The keys of an object, in the order of the text; JavaScript lists whole numbers first.
@@ -60,8 +69,9 @@ export class SceneDocument {
 
   // What stands in a cell: '.' also where there is no row.
   sign(map, layer, x, y) {
-    const row = this.#layers.get(`${map} ${layer}`)?.[y];
-    return row === undefined ? '.' : (signsOf(row.node.value)[x] ?? '.');
+    const written = this.#layers.get(`${map} ${layer}`);
+    const row = written?.[y]?.node.value ?? this.#levels[map]?.[layer]?.rows[y];
+    return row === undefined ? '.' : (signsOf(row)[x] ?? '.');
   }
 
   // The edits that make a change.
@@ -114,16 +124,23 @@ export class SceneDocument {
     this.#rows = [];
     this.#layers.clear();
     const maps = member(this.#tree, 'maps')?.children ?? [];
+    this.#levels = maps.map((_, index) => levelsOf(this.#value.maps[index] ?? {}));
     maps.forEach((map, index) => {
-      const layers = [
-        ...(member(map, 'levels')?.children ?? []).map((node, level) => [level, node]),
-        ['floor', member(member(map, 'floor'), 'tiles')],
-        ['ceiling', member(member(map, 'ceiling'), 'tiles')],
-      ];
-      for (const [layer, node] of layers) {
+      const entries = member(map, 'levels')?.children ?? [];
+      const layers = this.#levels[index]
+        .map(({ entry, isWritten }, level) => [
+          level,
+          isWritten ? entries[entry] : undefined,
+          entry,
+        ])
+        .concat([
+          ['floor', member(member(map, 'floor'), 'tiles')],
+          ['ceiling', member(member(map, 'ceiling'), 'tiles')],
+        ]);
+      for (const [layer, node, entry] of layers) {
         if (node?.type !== 'array') continue;
         if (!node.children.every(({ type }) => type === 'string')) continue;
-        const rows = node.children.map((row, y) => ({ map: index, layer, y, node: row }));
+        const rows = node.children.map((row, y) => ({ map: index, layer, entry, y, node: row }));
         this.#layers.set(`${index} ${layer}`, rows);
         this.#rows.push(...rows);
       }
@@ -176,17 +193,17 @@ export class SceneDocument {
         if (sign !== before[x]) cells.push({ map, layer, x, y, sign });
       });
     }
-    for (const [{ map, layer, y, node }, text] of changed) {
+    for (const [{ map, layer, entry, y, node }, text] of changed) {
       node.value = text;
-      this.#rowsOfValue(map, layer)[y] = text;
+      this.#rowsOfValue(map, layer, entry)[y] = text;
     }
     return cells;
   }
 
-  #rowsOfValue(map, layer) {
+  #rowsOfValue(map, layer, entry) {
     const { levels, floor, ceiling } = this.#value.maps[map];
     if (layer === 'floor') return floor.tiles;
-    return layer === 'ceiling' ? ceiling.tiles : levels[layer];
+    return layer === 'ceiling' ? ceiling.tiles : levels[entry];
   }
 
   // Each row's changed signs, as one edit for each run of neighbours.
@@ -194,7 +211,7 @@ export class SceneDocument {
     const byRow = new Map();
     for (const { layer, x, y, sign } of cells) {
       const row = this.#layers.get(`${map} ${layer}`)?.[y];
-      if (row === undefined) continue; // a scene with faults
+      if (row === undefined) continue; // a scene with faults, or a level that is not written
       if (!byRow.has(row)) byRow.set(row, new Map());
       byRow.get(row).set(x, sign);
     }
