@@ -379,3 +379,43 @@ for (const [name, viewport] of Object.entries({
     }
   });
 }
+
+test('four steps begin the first visit, each done by doing it, and never come again', async (t) => {
+  const { page } = await openEditor(t, '?template=meadow', { prepare: async () => {} });
+  const at = (count, title) =>
+    page.waitForFunction(
+      ([number, words]) => {
+        const card = document.getElementById('tour');
+        const shown = (name) => card.querySelector(`[data-${name}]`).textContent;
+        return !card.hidden && shown('count') === `${number} of 4` && shown('title') === words;
+      },
+      [count, title],
+    );
+  await at(1, 'Put a block');
+  const middle = async () => {
+    const box = await page.locator('#picture').boundingBox();
+    return [box.x + box.width / 2, box.y + box.height * 0.8];
+  };
+  await page.mouse.click(...(await middle()));
+  await at(2, 'Look around');
+  await page.keyboard.down('KeyW');
+  await at(3, 'Walk in it');
+  await page.keyboard.up('KeyW');
+  await page.keyboard.press('Tab');
+  await at(4, 'Show it to somebody');
+  await page.keyboard.press('Tab');
+  await page.click('#open-share');
+  await page.waitForSelector('#tour', { state: 'hidden' });
+  await page.waitForFunction(() => document.getElementById('kept').textContent.startsWith('Kept'));
+  await page.reload();
+  await page.waitForFunction(() => document.body.dataset.state === 'ready');
+  assert.equal(await page.isVisible('#tour'), false);
+  await page.click('#open-keys');
+  await page.click('#begin-tour');
+  await at(1, 'Put a block');
+  await page.click('#tour [data-next]');
+  await at(2, 'Look around');
+  await page.click('#tour [data-skip]');
+  assert.equal(await page.isVisible('#tour'), false);
+  assert.equal(await page.locator('[data-told]').count(), 0);
+});

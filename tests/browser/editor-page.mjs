@@ -7,6 +7,8 @@ export async function openEditor(t, browser, query = '?template=meadow', options
   const opened = await openPage(t, browser, {
     query: `edit.html${query}`,
     viewport: { width: 1366, height: 768 },
+    prepare: (_, context) =>
+      context.addInitScript(() => localStorage.setItem('slicecast edit tour', 'yes')),
     ...options,
   });
   await opened.page.waitForFunction(() => document.body.dataset.state === 'ready');

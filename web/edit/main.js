@@ -23,6 +23,7 @@ import { sizeOf } from './cells.js';
 import { textureOf } from './shapes.js';
 import { Sync } from './sync.js';
 import { iconOf } from './tool-icons.js';
+import { Tour } from './tour.js';
 import { box } from './tools/box.js';
 import { fill } from './tools/fill.js';
 import { paint } from './tools/paint.js';
@@ -107,6 +108,9 @@ const panel = new Panel(
   ),
 );
 
+const isWalking = () => document.body.hasAttribute('data-walking');
+const tour = new Tour(byId('tour'), { scene, caster, isWalking, find: byId });
+
 // ---- The bar
 
 byId('title').value = scene.value.title ?? '';
@@ -116,7 +120,7 @@ byId('title').addEventListener('change', ({ target }) =>
 const actions = {
   undo: () => tell(history.undo(), 'Undone'),
   redo: () => tell(history.redo(), 'Done again'),
-  walk: () => walk(!document.body.hasAttribute('data-walking')),
+  walk: () => walk(!isWalking()),
   view: (name) => showView(name),
   nextView: () => showView(byId('plan-view').hidden ? 'plan' : 'picture'),
   level: (by) => setLevel(editor.level + by),
@@ -237,7 +241,7 @@ async function showView(name) {
 // ---- Walking
 
 async function walk(isOn) {
-  if (isOn === document.body.hasAttribute('data-walking')) return;
+  if (isOn === isWalking()) return;
   if (isOn) {
     await showView('picture');
     await sync.settled();
@@ -259,7 +263,13 @@ async function walk(isOn) {
     sync.renew();
   }
   byId('walk').textContent = isOn ? 'Build' : 'Walk';
+  tour.look();
 }
+
+// ---- The first steps
+
+byId('begin-tour').addEventListener('click', () => tour.begin());
+addEventListener('click', () => tour.look()); // a dialog may be open now
 
 // ---- Keeping
 
@@ -280,9 +290,7 @@ openDialog(byId('files'), byId('open-files'), async () => {
   location.reload();
 });
 keyHelp(byId('keys'), byId('open-keys'), kTools);
-listenToKeys(actions, camera, kTools, {
-  isWalking: () => document.body.hasAttribute('data-walking'),
-});
+listenToKeys(actions, camera, kTools, { isWalking });
 
 if (before !== null && before.text !== world.text) toast('Your world is as you left it.');
 if (world.isStranger && before === null)
@@ -305,6 +313,7 @@ function start() {
   });
   caster.look({ ...view, z: view.z + 1.2, flying: true });
   document.body.dataset.state = 'ready';
+  tour.begin({ once: !new URL(location.href).searchParams.has('tour') });
   // For the browser's console, and for tests.
   window.slicecastEditor = { scene, history, editor, sync, caster };
 }

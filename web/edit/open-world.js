@@ -6,7 +6,7 @@
 //     readPicture(own, file)                  // the bytes of a picture of the scene, or null
 //
 // edit.html?scene=castle, ?template=cave, ?file=mine (see open-dialog.js), #world=... (a
-// stranger's), or nothing.
+// stranger's), or nothing. With &tour the first steps are shown again.
 
 import { fetchBytes } from '../engine/fetch-bytes.js';
 import { kHome } from '../engine/home.js';
