@@ -79,7 +79,6 @@ export function readMatrix(text, file) {
       row.forEach((value, x) => {
         cells[y * width + x] = draft.kind(value, () => ({
           name: value,
-          show: 'empty',
           size: null,
         }));
       });
@@ -117,18 +116,25 @@ function giveMeanings(draft, map, format) {
   const commonest = inside.indexOf(inside.reduce((most, one) => Math.max(most, one), 0));
   const order = draft.kinds.map((_, index) => index).sort((a, b) => counts[b] - counts[a]);
   let next = 0;
+  const give = (kind) => {
+    kind.show = kTextures[next % kTextures.length];
+    next += 1;
+  };
+  const unseen = [];
   for (const index of order) {
     const kind = draft.kinds[index];
     if (kEmpty.has(kind.name) || (!hasEmpty && index === commonest && inside[index] > 0)) {
       kind.use = 'empty';
+      unseen.push(kind);
     } else if (index === start) {
       kind.use = 'start';
       kind.heading = kHeadings[kind.name] ?? 0;
+      unseen.push(kind);
     } else {
-      kind.show = kTextures[next % kTextures.length];
-      next += 1;
+      give(kind);
     }
   }
+  for (const kind of unseen) give(kind); // a dialog may make blocks of them
 }
 
 // ---- Brackets
