@@ -275,9 +275,14 @@ kept.listen((what) => {
   if (what === 'elsewhere') toast('This world is open in another tab, too.');
 });
 shareDialog(byId('share'), byId('open-share'), { scene, own, world });
-openDialog(byId('files'), byId('open-files'), async () => {
+const beginAnew = async () => {
   await kept.forget();
   location.reload();
+};
+openDialog(byId('files'), byId('open-files'), beginAnew, {
+  importing: byId('import'),
+  readShipped: () => shipped,
+  readPicture,
 });
 keyHelp(byId('keys'), byId('open-keys'), kTools);
 listenToKeys(actions, camera, kTools, {

@@ -33,8 +33,8 @@ export const classUses = [
   ['leave out', 'Leave out'],
 ];
 export const outsideUses = [
-  ['move to edge', 'Move them to its edge'],
-  ['leave out', 'Leave them out'],
+  ['move to edge', 'Move to its edge'],
+  ['leave out', 'Leave out'],
 ];
 const kKindWords = {
   block: 'Block',

@@ -10,3 +10,4 @@ export { exportTmj } from './export-tmj.js';
 export { ImportError } from './import-error.js';
 export { makeScene } from './make-scene.js';
 export { readForeign } from './read-foreign.js';
+export { kShippedSprites } from './shipped-sprites.js';

@@ -243,6 +243,10 @@ function rowsIn(text, file) {
   const isSeparated = lines.some((line) => /\d[\s,;]+[-+]?\d/.test(line));
   if (isNumeric && isSeparated)
     return { format: 'numbers', levels: blocks.map((rows) => rows.map(numbersIn)) };
+  const cells = blocks.map((rows) => rows.map(cellsIn));
+  const count = cells[0][0].length;
+  if (count > 1 && cells.flat().every((row) => row.length === count && row.every(isCell)))
+    return { format: 'characters', levels: cells };
   const indentation = lines.reduce(
     (least, line) => Math.min(least, /^[ \t]*/.exec(line)[0].length),
     Infinity,
@@ -256,3 +260,10 @@ function rowsIn(text, file) {
 function numbersIn(line) {
   return [...line.matchAll(/[-+]?\d+(?:\.\d+)?/g)].map(([number]) => String(Number(number)));
 }
+
+// `1 0 N 1`: what stands between blanks or commas.
+function cellsIn(line) {
+  return line.split(/[\s,;]+/).filter((cell) => cell !== '');
+}
+
+const isCell = (cell) => signsOf(cell).length === 1 || /^\d{1,3}$/.test(cell);
