@@ -200,6 +200,8 @@ test('the other tools work in the section as on the plan', async (t) => {
   const sign = await told(page, () => window.slicecastEditor.editor.sign);
   for (let level = 0; level < 4; ++level)
     assert.equal((await rowsOf(page, level))[20].slice(3, 10), `.${sign.repeat(5)}.`);
+  await page.keyboard.press('0'); // there are more levels now
+  await frames(page);
   await page.keyboard.press('3');
   await page.keyboard.press('KeyR');
   await page.mouse.click(...(await placeOf(page, 5.5, 2.5)));

@@ -119,7 +119,8 @@ const actions = {
   view: (name) => showView(name),
   nextView: () => showView(byId('plan-view').hidden ? 'plan' : 'picture'),
   sideView: () => (byId('side-view').hidden ? showView('side') : side.turn()),
-  ofView: (event) => event.target !== caster && (flatView()?.take(event) ?? false),
+  ofView: (event) =>
+    event.target.closest?.('#picture, #panel') === null && (flatView()?.take(event) ?? false),
   level: (by) => setLevel(editor.level + by),
   tool: (name) => editor.choose({ tool: kTools.find((tool) => tool.name === name) }),
   way() {

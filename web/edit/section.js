@@ -4,7 +4,8 @@
 //
 //     const section = { axis: 'x', at: 12 };      // 'x': west to east at row 12; 'y': at column 12
 //     blocksIn(scene, 0, section)    // [{ along, level, sign, name, blueprint, profile }]
-//     behind(scene, 0, section)      // the same of the nearest blocks behind, where none is cut
+//     behind(scene, 0, section)      // the same of the nearest blocks behind, where none is cut;
+//                                    // both of some levels, too: behind(scene, 0, section, [2])
 //     thingsIn(scene, 0, section)    // [{ path, kind, along, z, away }]: `away` from its middle
 //     portalsIn(scene, 0, section)   // [{ along, level, side, exit }]: 'from', 'to', 'top', ...
 //     cellOf(section, along, level)  // { level, x, y }
@@ -25,6 +26,7 @@ import { thingsOf } from './things.js';
 const kMostBehind = 12; // tiles
 const kNearThings = 1.5; // tiles from the section's middle
 const kRises = { x: { east: [0, 1], west: [1, 0] }, y: { south: [0, 1], north: [1, 0] } };
+const kPlain = /^[ -~]*$/; // each character is a sign
 const kSides = {
   x: { west: 'from', east: 'to', top: 'top', bottom: 'bottom' },
   y: { north: 'from', south: 'to', top: 'top', bottom: 'bottom' },
@@ -75,31 +77,29 @@ export function profileOf(blueprint, axis) {
 
 const mean = ([one, other]) => (one + other) / 2;
 
-export function blocksIn(scene, map, section) {
-  return blocksOf(scene, map, section, [section.at]);
+export function blocksIn(scene, map, section, levels = allOf(scene, map)) {
+  return blocksOf(scene, map, section, [section.at], levels);
 }
 
 // To the north of a section from west to east, to the east of one from north to south.
-export function behind(scene, map, section) {
+export function behind(scene, map, section, levels = allOf(scene, map)) {
   const { axis, at } = section;
   const step = axis === 'x' ? -1 : 1;
   const count = countOf(scene, map, section);
   const rows = Array.from({ length: kMostBehind + 1 }, (_, far) => at + step * far);
-  return blocksOf(
-    scene,
-    map,
-    section,
-    rows.filter((row) => row >= 0 && row < count),
-  ).filter(({ row }) => row !== at);
+  const inside = rows.filter((row) => row >= 0 && row < count);
+  return blocksOf(scene, map, section, inside, levels).filter(({ row }) => row !== at);
 }
 
+const allOf = (scene, map) =>
+  Array.from({ length: sizeOf(scene, map).levels }, (_, level) => level);
+
 // The first block of each cell, in the order of the rows.
-function blocksOf(scene, map, { axis }, rows) {
+function blocksOf(scene, map, { axis }, rows, levels) {
   const kinds = new Map(kindsOf(scene, map).map((kind) => [kind.sign, kind]));
   const profiles = new Map();
   const found = [];
-  const { levels } = sizeOf(scene, map);
-  for (let level = 0; level < levels; ++level) {
+  for (const level of levels) {
     const lines = linesOf(scene.rows(map, level), axis, rows);
     const length = Math.max(0, ...lines.map((line) => line.length));
     for (let along = 0; along < length; ++along) {
@@ -115,7 +115,8 @@ function blocksOf(scene, map, { axis }, rows) {
 
 function linesOf(texts, axis, rows) {
   if (axis === 'x') return rows.map((row) => signsOf(texts[row] ?? ''));
-  const all = texts.map(signsOf);
+  // Most rows are plain, and need not be split for one sign.
+  const all = texts.map((text) => (kPlain.test(text) ? text : signsOf(text)));
   return rows.map((column) => all.map((row) => row[column]));
 }
 

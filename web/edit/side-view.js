@@ -55,7 +55,7 @@ export class SideView extends CanvasView {
   #caster;
   #section = { axis: 'x', at: 0 };
   #isChosen = false;
-  #known = null; // {blocks, behind} of the section
+  #known = null; // {map, levels}: the blocks of each level, in the section and behind it
   #edge = null; // that the pointer could drag: {along, level, edge, index}, or 'ceiling'
 
   constructor(canvas, editor, colours, pictures, caster) {
@@ -63,7 +63,11 @@ export class SideView extends CanvasView {
     this.#colours = colours;
     this.#pictures = pictures;
     this.#caster = caster;
-    editor.scene.listen(() => this.#forget());
+    editor.scene.listen(({ cells, isWhole }) => {
+      if (isWhole) this.#forget();
+      else for (const { layer } of cells) delete this.#known?.levels[layer];
+      this.draw();
+    });
     editor.listen(() => this.editor.map !== this.#known?.map && this.#forget());
     pictures.listen(() => this.draw());
     caster.addEventListener('viewchange', () => this.draw());
@@ -129,12 +133,17 @@ export class SideView extends CanvasView {
     const { scene, map } = this.editor;
     const last = countOf(scene, map, this.#section) - 1;
     this.#section.at = Math.max(0, Math.min(last, this.#section.at)); // maps become smaller
-    this.#known ??= {
-      map,
-      blocks: blocksIn(scene, map, this.#section),
-      behind: behind(scene, map, this.#section),
+    this.#known ??= { map, levels: [] };
+    const { levels } = this.#known;
+    for (let level = 0; level < sizeOf(scene, map).levels; ++level)
+      levels[level] ??= {
+        blocks: blocksIn(scene, map, this.#section, [level]),
+        far: behind(scene, map, this.#section, [level]),
+      };
+    return {
+      blocks: levels.flatMap(({ blocks }) => blocks),
+      far: levels.flatMap(({ far }) => far),
     };
-    return this.#known;
   }
 
   get #ceiling() {
@@ -302,7 +311,7 @@ export class SideView extends CanvasView {
     const { scale } = this;
     const length = lengthOf(scene, map, this.#section);
     const { levels } = sizeOf(scene, map);
-    const { blocks, behind: far } = this.#parts;
+    const { blocks, far } = this.#parts;
     context.fillStyle = this.#colours.floor(map) ?? '#5a5148';
     context.fillRect(0, 0, length * scale, kGround * scale);
     const colourOf = ({ blueprint }) =>
@@ -394,15 +403,15 @@ export class SideView extends CanvasView {
   // Of the levels at the left, always in sight; what is west or north at the ends.
   #numbers(context, lines) {
     const { scale } = this;
-    const [left, , right, bottom] = this.sight;
+    const [left, top, right] = this.sight;
     const x = left * scale + 4;
     const every = Math.max(1, Math.ceil(16 / scale));
     lines.forEach((v, level) => {
       if (level % every === 0) drawLabel(context, String(level), x, v * scale, 'left');
     });
     const [first, last] = this.#section.axis === 'x' ? ['west', 'east'] : ['north', 'south'];
-    const y = Math.min(bottom, kGround + 24 / scale) * scale - 10;
+    const y = top * scale + 20; // below it the page has words
     drawLabel(context, first, x + 24, y, 'left');
-    drawLabel(context, last, right * scale - 8, y, 'right');
+    drawLabel(context, last, right * scale - 72, y, 'right');
   }
 }
