@@ -10,6 +10,7 @@ import { kHome } from '../../engine/home.js';
 
 const kUnseen = '#3a3231';
 const kUnknown = '#9a8f80'; // of a tile whose picture is missing
+const kLeftOut = 0.3; // of a tile that is left out
 const kIcon = 16; // texels
 const kMostLayer = 96; // pixels a side, of a layer's picture
 
@@ -46,7 +47,10 @@ export class KindIcons {
     const context = canvas.getContext('2d');
     context.imageSmoothingEnabled = false;
     context.clearRect(0, 0, canvas.width, canvas.height);
-    this.#draw(context, canvas.width, this.#proposal.kinds[number]);
+    const kind = this.#proposal.kinds[number];
+    const isSeen = kind.use !== 'empty' || kind.parts.length > 0;
+    context.globalAlpha = kind.use === 'empty' ? kLeftOut : 1;
+    if (isSeen) this.#draw(context, canvas.width, kind);
   }
 
   paintLayer(canvas, layer) {
@@ -62,7 +66,7 @@ export class KindIcons {
     for (let y = 0; y < canvas.height; ++y)
       for (let x = 0; x < canvas.width; ++x) {
         const kind = list[y * step * width + x * step];
-        if (kind === 0) continue;
+        if (kind === 0 || this.#proposal.kinds[kind - 1].use === 'empty') continue;
         context.fillStyle = this.meanOf(kind - 1);
         context.fillRect(x, y, 1, 1);
       }
