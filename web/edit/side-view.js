@@ -327,6 +327,7 @@ export class SideView extends CanvasView {
     this.#portals(context);
     this.#eye(context);
     this.#edgeLine(context);
+    this.#selected(context);
     this.#numbers(context, lines);
   }
 
@@ -370,6 +371,21 @@ export class SideView extends CanvasView {
     context.globalAlpha = Math.abs(across - at - 0.5) <= 0.5 ? 1 : kBeside;
     this.eye(context, [along, -view.z], ahead >= 0 ? 0 : Math.PI, Math.abs(ahead));
     context.globalAlpha = 1;
+  }
+
+  // What is selected, if the section passes through it.
+  #selected(context) {
+    const { selection } = this.editor;
+    if (selection === null) return;
+    const { from, to } = selection;
+    const across = this.#section.axis === 'x' ? 'y' : 'x';
+    const { at } = this.#section;
+    if (at < from[across] || at > to[across]) return;
+    context.setLineDash([6, 4]);
+    context.strokeStyle = kEdge;
+    context.lineWidth = 2;
+    context.strokeRect(...this.boxOf(from, to).map((part) => part * this.scale));
+    context.setLineDash([]);
   }
 
   // The edge that a drag would move.
