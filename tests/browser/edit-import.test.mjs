@@ -256,9 +256,22 @@ test('files that are missing are asked for', async (t) => {
   assert.doesNotMatch(await page.textContent('#import-not-taken'), /png|tsx/);
   await open(page, 'far');
   assert.equal((await rowsOf(page, 0)).length, kDepth);
-  // The same map again is another world.
-  await choose(page, [file('far.tmj', mapOf(kTileset)), kPicture]);
+  // The same map again is another world; what is dropped onto the dialog joins it.
+  await choose(page, [file('far.tmj', mapOf(kTileset))]);
   await shown(page);
+  await told(
+    page,
+    (bytes) => {
+      const dataTransfer = new DataTransfer();
+      dataTransfer.items.add(new File([new Uint8Array(bytes)], 'town.png'));
+      const drop = new DragEvent('drop', { dataTransfer, bubbles: true, cancelable: true });
+      document.getElementById('import-choices').dispatchEvent(drop);
+    },
+    [...kPicture.buffer],
+  );
+  await page.waitForFunction(
+    () => !document.getElementById('import-not-taken').textContent.includes('town.png'),
+  );
   await open(page, 'far 2');
 });
 

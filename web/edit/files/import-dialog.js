@@ -70,13 +70,15 @@ class ImportDialog {
     on('map', 'change', () => from(true));
     on('add', 'click', () => this.#part('files').click());
     on('files', 'change', ({ target }) => this.#add([...target.files]));
+    const { signal } = this.#life;
+    const drop = ({ dataTransfer }) => this.#add([...dataTransfer.files]);
+    this.#dialog.addEventListener('drop', drop, { signal });
     this.#part('title').textContent = `Open ${this.#opened.name}`;
     this.#show(this.#opened.proposal);
     this.#dialog.showModal();
     this.#part('choices').parentElement.scrollTop = 0;
     return new Promise((resolve) => {
       on('open', 'click', () => resolve(this.#made));
-      const { signal } = this.#life;
       this.#dialog.addEventListener('close', () => resolve(null), { signal });
     });
   }
@@ -177,8 +179,9 @@ class ImportDialog {
       this.#preview.look({ look: 0, map: maps[0].name, ...start, z: (start.z ?? 0) + 0.6 });
       return;
     }
-    const { name, levels } = maps[Number(this.#part('map').value)];
-    const { width, depth } = this.#proposal.maps[Number(this.#part('map').value)];
+    const index = Number(this.#part('map').value);
+    const { width, depth } = this.#proposal.maps[index];
+    const { name, levels } = maps[this.#proposal.base?.map ?? index];
     const { clientWidth, clientHeight } = this.#preview;
     const shape = clientWidth / Math.max(1, clientHeight);
     const back = 0.28 * shape * Math.max(width, depth) + 1.5;
