@@ -32,6 +32,8 @@ const kModules = [
   'tools/shape',
   'tools/thing',
   'forms/schema',
+  'height-drags',
+  'section',
   'tools/strokes',
 ];
 

@@ -96,6 +96,9 @@ test('rows of characters, with the start where courses put it', async () => {
   assert.deepEqual([code.scene.start.x, code.scene.start.y], [1.5, 1.5]);
   const listed = await make('map.js', "[['#','#','#'],['#','.','#'],['#','#','#']]");
   assert.deepEqual(listed.scene.maps[0].levels, [['###', '#.#', '###']]);
+  const spaced = await make('map.txt', '1 1 1 1\n1 0 N 1\n1, 12, 0, 1,\n1 1 1 1\n');
+  assert.deepEqual(spaced.scene.maps[0].levels, [['####', '#..#', '#a.#', '####']]);
+  assert.deepEqual([spaced.scene.start.x, spaced.scene.start.y], [2.5, 1.5]);
   const signs = await make('map.txt', '🧱🧱🧱\n🧱..\n🧱🧱🧱');
   assert.deepEqual(signs.scene.maps[0].levels, [['###', '#..', '###']]);
 });

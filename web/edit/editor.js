@@ -32,6 +32,7 @@ export class Editor {
   thing = null; // to put: 'start', 'lamp', or {name, height} of a sprite
   edited = null; // the path of the thing that was last touched
   way = 'solid'; // of boxes
+  section = null; // {axis, at} of the side view, while it is in use; see section.js
   isWhole = false; // Shift is held
   selection = null; // {from, to}: cells; what is selected in the map
 

@@ -31,8 +31,11 @@ const kGroups = [
     'See',
     [
       ['G', 'picture or plan'],
+      ['K', 'side view; again: from west to east, or from north to south'],
       ['J', 'text'],
       ['Page up, Page down', 'a level up, down, in the plan'],
+      ['Arrows, Shift and wheel', 'the next section, in the side view'],
+      ['+, -, 0', 'plan and side view larger, smaller, as a whole'],
     ],
   ],
 ];
@@ -70,6 +73,7 @@ export function listenToKeys(actions, camera, tools, { isWalking }) {
       return true;
     }
     camera.isFast = shiftKey;
+    if (actions.ofView(event)) return true;
     if (/^[1-9]$/.test(key)) actions.digit(Number(key));
     else if (code === 'Delete' || code === 'Backspace') actions.remove();
     else if (code === 'Enter') {
@@ -81,6 +85,7 @@ export function listenToKeys(actions, camera, tools, { isWalking }) {
     else if (key === ',') actions.next(-1);
     else if (key === '.') actions.next(1);
     else if (code === 'KeyG') actions.nextView();
+    else if (code === 'KeyK') actions.sideView();
     else if (code === 'KeyJ') actions.view('text');
     else if (code === 'KeyO') actions.way();
     else {
@@ -96,7 +101,7 @@ export function listenToKeys(actions, camera, tools, { isWalking }) {
 
 // Elsewhere Tab goes from button to button, as does Shift and Tab everywhere.
 function isWalkKey({ target, ctrlKey, altKey, shiftKey }) {
-  return !ctrlKey && !altKey && !shiftKey && target.matches('body, #picture, #plan');
+  return !ctrlKey && !altKey && !shiftKey && target.matches('body, #picture, .flat');
 }
 
 // The text has no history of its own.

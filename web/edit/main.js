@@ -21,6 +21,7 @@ import { PlanView } from './plan-view.js';
 import { Problems } from './problems.js';
 import { sizeOf } from './cells.js';
 import { textureOf } from './shapes.js';
+import { SideView } from './side-view.js';
 import { Sync } from './sync.js';
 import { iconOf } from './tool-icons.js';
 import { Tour } from './tour.js';
@@ -63,23 +64,21 @@ const sync = new Sync(scene, caster, ({ faults, warnings }) => {
   pictureView.refresh();
 });
 const pictureView = new PictureView(caster, editor, camera);
-const plan = new PlanView(
-  byId('plan'),
-  editor,
-  {
-    of: (blueprint) => {
-      const name = textureOf(blueprint, 'top') ?? textureOf(blueprint, 'north');
-      return name === null ? null : pictures.meanOf(name);
-    },
-    floor: (map) => {
-      const { floor } = scene.value.maps[map];
-      const name = typeof floor === 'string' ? floor : floor?.texture;
-      return name === undefined ? null : pictures.meanOf(name);
-    },
-    listen: (listener) => pictures.listen(listener),
+const colours = {
+  of: (blueprint) => {
+    const name = textureOf(blueprint, 'top') ?? textureOf(blueprint, 'north');
+    return name === null ? null : pictures.meanOf(name);
   },
-  caster,
-);
+  floor: (map) => {
+    const { floor } = scene.value.maps[map];
+    const name = typeof floor === 'string' ? floor : floor?.texture;
+    return name === undefined ? null : pictures.meanOf(name);
+  },
+  listen: (listener) => pictures.listen(listener),
+};
+const plan = new PlanView(byId('plan'), editor, colours, caster);
+const side = new SideView(byId('side'), editor, colours, pictures, caster);
+const flat = { plan, side }; // views on a canvas
 const shipped = fetch(new URL('edit/pictures.json', document.baseURI))
   .then((answer) => answer.json())
   .catch(() => []); // only what the scene has can be chosen then
@@ -123,6 +122,9 @@ const actions = {
   walk: () => walk(!isWalking()),
   view: (name) => showView(name),
   nextView: () => showView(byId('plan-view').hidden ? 'plan' : 'picture'),
+  sideView: () => (byId('side-view').hidden ? showView('side') : side.turn()),
+  ofView: (event) =>
+    event.target.closest?.('#picture, #panel') === null && (flatView()?.take(event) ?? false),
   level: (by) => setLevel(editor.level + by),
   tool: (name) => editor.choose({ tool: kTools.find((tool) => tool.name === name) }),
   way() {
@@ -145,13 +147,16 @@ const actions = {
     editor.press(target);
     editor.release();
   },
-  cancel: () => editor.cancel(),
+  cancel: () => (flatView() ?? editor).cancel(),
 };
 byId('undo').addEventListener('click', actions.undo);
 byId('redo').addEventListener('click', actions.redo);
 byId('walk').addEventListener('click', actions.walk);
 byId('level-up').addEventListener('click', () => actions.level(1));
 byId('level-down').addEventListener('click', () => actions.level(-1));
+byId('section-far').addEventListener('click', () => side.move(1));
+byId('section-near').addEventListener('click', () => side.move(-1));
+byId('section-turn').addEventListener('click', () => side.turn());
 for (const button of document.querySelectorAll('[data-view]'))
   button.addEventListener('click', () => showView(button.dataset.view));
 for (const button of document.querySelectorAll('[data-close]'))
@@ -187,6 +192,7 @@ function showChoice() {
     button.setAttribute('aria-pressed', String(button.dataset.tool === editor.tool.name));
   byId('about').textContent = editor.tool.about;
   byId('level').textContent = String(editor.level);
+  byId('section').textContent = side.name;
   const maps = scene.value.maps.map(({ name }) => name);
   const list = byId('map');
   if (String([...list.options].map(({ text }) => text)) !== String(maps))
@@ -210,7 +216,7 @@ byId('map').addEventListener('change', ({ target }) => {
   editor.choose({ map: Number(target.value) });
   const { width, depth } = sizeOf(scene, editor.map);
   caster.look({ map: editor.mapName, x: width / 2, y: depth / 2, z: 4, flying: true });
-  plan.fit();
+  for (const view of Object.values(flat)) view.fit();
 });
 
 function setLevel(level) {
@@ -223,8 +229,7 @@ function setLevel(level) {
 async function showView(name) {
   const isWide = matchMedia('(min-width: 1500px)').matches;
   byId('picture-view').hidden = name !== 'picture' && !isWide;
-  byId('plan-view').hidden = name !== 'plan';
-  byId('text-view').hidden = name !== 'text';
+  for (const other of ['plan', 'side', 'text']) byId(`${other}-view`).hidden = other !== name;
   for (const button of document.querySelectorAll('[data-view]'))
     button.setAttribute('aria-pressed', String(button.dataset.view === name));
   if (name === 'text' && textView === null) {
@@ -232,10 +237,14 @@ async function showView(name) {
     textView = new TextView(byId('text-view'), scene);
   }
   if (name === 'text') textView.focus();
-  if (name === 'plan') {
-    byId('plan').focus({ preventScroll: true });
-    plan.draw();
-  }
+  if (name === 'side') side.show();
+  else if (name !== 'plan') editor.choose({ section: null }); // the plan shows it no longer
+  flatView()?.canvas.focus({ preventScroll: true });
+  flatView()?.draw();
+}
+
+function flatView() {
+  return Object.entries(flat).find(([name]) => !byId(`${name}-view`).hidden)?.[1];
 }
 
 // ---- Walking
@@ -285,9 +294,14 @@ kept.listen((what) => {
   if (what === 'elsewhere') toast('This world is open in another tab, too.');
 });
 shareDialog(byId('share'), byId('open-share'), { scene, own, world });
-openDialog(byId('files'), byId('open-files'), async () => {
+const beginAnew = async () => {
   await kept.forget();
   location.reload();
+};
+openDialog(byId('files'), byId('open-files'), beginAnew, {
+  importing: byId('import'),
+  readShipped: () => shipped,
+  readPicture,
 });
 keyHelp(byId('keys'), byId('open-keys'), kTools);
 listenToKeys(actions, camera, kTools, { isWalking });

@@ -4,40 +4,86 @@
 
 import { listScenes, posterAddress } from '../../play/scene-list.js';
 import { Autosave } from './autosave.js';
-import { openFiles } from './open-file.js';
+import { printed } from '../json-text.js';
+import { openFiles, openText } from './open-file.js';
 import { templates } from './templates.js';
 
-const kMostListed = 12; // of what could not be taken
-
-// `beginAnew` opens the present world as it was.
-export function openDialog(dialog, button, beginAnew) {
+// `beginAnew` opens the present world as it was; `importing` is the dialog for maps from elsewhere;
+// the rest gives shipped pictures to it.
+export function openDialog(dialog, button, beginAnew, { importing, readShipped, readPicture }) {
   let isFilled = false;
+  let missing = null; // {name, reread} of a map that could not be read without further files
   const told = dialog.querySelector('#open-told');
+  const pasted = dialog.querySelector('#open-text');
   const input = document.createElement('input');
   Object.assign(input, { type: 'file', multiple: true, hidden: true });
   dialog.append(input);
   dialog.querySelector('#anew').addEventListener('click', beginAnew);
   dialog.querySelector('#open-file').addEventListener('click', () => input.click());
-  input.addEventListener('change', () => take(input.files));
+  dialog
+    .querySelector('#open-pasted')
+    .addEventListener('click', () => take(() => openText(pasted.value)));
+  input.addEventListener('change', () => {
+    const files = [...input.files];
+    input.value = ''; // the same file may be chosen again
+    if (files.length > 0) take(() => opened(files));
+  });
   addEventListener('dragover', (event) => event.preventDefault());
   addEventListener('drop', (event) => {
     event.preventDefault();
-    if (event.dataTransfer.files.length === 0) return;
+    const files = [...event.dataTransfer.files];
+    if (files.length === 0 || importing.open) return;
     if (!dialog.open) dialog.showModal();
-    take(event.dataTransfer.files);
+    take(() => opened(files));
   });
 
-  async function take(files) {
+  // Files that hold no map may be those that the last one wanted.
+  async function opened(files) {
+    const wanted = missing;
+    missing = null;
+    try {
+      return await openFiles(files);
+    } catch (error) {
+      if (wanted === null || error.missing !== undefined) throw error;
+      missing = wanted;
+      return { ...wanted, proposal: await wanted.reread(files) };
+    }
+  }
+
+  async function take(open) {
     told.replaceChildren('Opening …');
     try {
-      const { name, text, pictures, notTaken } = await openFiles(files);
+      const world = await open();
+      told.replaceChildren();
+      const { text, pictures } = world.proposal === undefined ? world : await imported(world);
+      if (text === null) return;
       JSON.parse(text);
-      await new Autosave(`file ${name}`).write(text, pictures);
-      const go = () => location.assign(new URL(`?file=${encodeURIComponent(name)}`, location.href));
-      if (notTaken.length === 0) go();
-      else told.replaceChildren(...listOf(notTaken), opener(go));
+      const name = await keep(world, text, pictures);
+      location.assign(new URL(`?file=${encodeURIComponent(name)}`, location.href));
     } catch (error) {
+      missing = error.missing ?? missing;
       told.replaceChildren(`This cannot be opened. ${error.message}`);
+      if (error.missing !== undefined)
+        told.append(' Files that it names may be chosen now, or all of them together.');
+    }
+  }
+
+  async function imported(world) {
+    const { importDialog } = await import('../import.js');
+    const shipped = await readShipped();
+    const made = await importDialog(importing, world, { shipped, readPicture });
+    if (made === null) return { text: null };
+    return { text: `${printed(made.scene, '')}\n`, pictures: made.pictures };
+  }
+
+  // A map from elsewhere begins a world of its own, whatever was made of it before.
+  async function keep({ name, proposal }, text, pictures) {
+    for (let count = 1; ; ++count) {
+      const own = count === 1 ? name : `${name} ${count}`;
+      const place = new Autosave(`file ${own}`);
+      if (proposal !== undefined && (await place.read()) !== null) continue;
+      await place.write(text, pictures);
+      return own;
     }
   }
 
@@ -74,27 +120,4 @@ function card(title, query, picture) {
   );
   item.append(button);
   return item;
-}
-
-function listOf(notTaken) {
-  const title = document.createElement('p');
-  title.textContent = `What could not be taken (${notTaken.length}):`;
-  const list = document.createElement('ul');
-  list.append(
-    ...notTaken.slice(0, kMostListed).map(({ place, reason }) => {
-      const item = document.createElement('li');
-      item.textContent = `${place}: ${reason}`;
-      return item;
-    }),
-  );
-  return [title, list];
-}
-
-function opener(go) {
-  const button = document.createElement('button');
-  button.type = 'button';
-  button.className = 'main';
-  button.textContent = 'Open the rest';
-  button.addEventListener('click', go);
-  return button;
 }

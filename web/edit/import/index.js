@@ -5,7 +5,9 @@
 //     const { scene, pictures, notTaken } = await makeScene(proposal);
 //     const { tmj, pictures } = exportTmj(scene, 'courtyard');
 
+export * from './choices.js';
 export { exportTmj } from './export-tmj.js';
 export { ImportError } from './import-error.js';
 export { makeScene } from './make-scene.js';
 export { readForeign } from './read-foreign.js';
+export { kShippedSprites } from './shipped-sprites.js';

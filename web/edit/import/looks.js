@@ -8,6 +8,7 @@
 
 import { openPictures, pngOf } from './foreign-pictures.js';
 import { kLeastTextureSide, kMostSceneTexels, kMostTextureSide } from './import-limits.js';
+import { kShippedSprites } from './shipped-sprites.js';
 import { uniqueNames } from './titles.js';
 
 const kColour = /^#[0-9a-f]{6}$/i;
@@ -130,7 +131,9 @@ export function startLooks({ title, kinds, pictures: files }, base, notes, fault
   }
 
   function shippedSprite(name) {
-    sprites[name] ??= `../sprites/${name}.png`;
+    const file = `../sprites/${name}.png`;
+    const { frames, rate } = kShippedSprites[name];
+    sprites[name] ??= frames === undefined ? file : { file, frames, rate };
     return name;
   }
 

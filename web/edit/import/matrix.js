@@ -79,7 +79,6 @@ export function readMatrix(text, file) {
       row.forEach((value, x) => {
         cells[y * width + x] = draft.kind(value, () => ({
           name: value,
-          show: 'empty',
           size: null,
         }));
       });
@@ -117,18 +116,25 @@ function giveMeanings(draft, map, format) {
   const commonest = inside.indexOf(inside.reduce((most, one) => Math.max(most, one), 0));
   const order = draft.kinds.map((_, index) => index).sort((a, b) => counts[b] - counts[a]);
   let next = 0;
+  const give = (kind) => {
+    kind.show = kTextures[next % kTextures.length];
+    next += 1;
+  };
+  const unseen = [];
   for (const index of order) {
     const kind = draft.kinds[index];
     if (kEmpty.has(kind.name) || (!hasEmpty && index === commonest && inside[index] > 0)) {
       kind.use = 'empty';
+      unseen.push(kind);
     } else if (index === start) {
       kind.use = 'start';
       kind.heading = kHeadings[kind.name] ?? 0;
+      unseen.push(kind);
     } else {
-      kind.show = kTextures[next % kTextures.length];
-      next += 1;
+      give(kind);
     }
   }
+  for (const kind of unseen) give(kind); // a dialog may make blocks of them
 }
 
 // ---- Brackets
@@ -237,6 +243,10 @@ function rowsIn(text, file) {
   const isSeparated = lines.some((line) => /\d[\s,;]+[-+]?\d/.test(line));
   if (isNumeric && isSeparated)
     return { format: 'numbers', levels: blocks.map((rows) => rows.map(numbersIn)) };
+  const cells = blocks.map((rows) => rows.map(cellsIn));
+  const count = cells[0][0].length;
+  if (count > 1 && cells.flat().every((row) => row.length === count && row.every(isCell)))
+    return { format: 'characters', levels: cells };
   const indentation = lines.reduce(
     (least, line) => Math.min(least, /^[ \t]*/.exec(line)[0].length),
     Infinity,
@@ -250,3 +260,10 @@ function rowsIn(text, file) {
 function numbersIn(line) {
   return [...line.matchAll(/[-+]?\d+(?:\.\d+)?/g)].map(([number]) => String(Number(number)));
 }
+
+// `1 0 N 1`: what stands between blanks or commas.
+function cellsIn(line) {
+  return line.split(/[\s,;]+/).filter((cell) => cell !== '');
+}
+
+const isCell = (cell) => signsOf(cell).length === 1 || /^\d{1,3}$/.test(cell);

@@ -6,19 +6,16 @@
 import { quoted } from './import-error.js';
 import { kMostMessage, kMostMessages } from './import-limits.js';
 import { commentOf, numberOf, textOf } from './properties.js';
+import { kShippedSprites } from './shipped-sprites.js';
 
 const kMostHeight = 64; // units, of an object
 const kRim = 0.01; // units: what stands on the map's eastern edge is outside
 const kLampHeight = 0.7; // units above the level's base
-// Shipped sprites without frames, which a property "sprite" may name.
-const kShippedSprites =
-  `birch bush chandelier column crate-stack cypress flower-bush fountain lantern
-  market-stall moonflower oak pine shell standing-barrel statue street-lamp`.split(/\s+/);
 const kTold = ['sprite', 'z', 'level', 'heading', 'direction', 'text', 'message'];
 const kToldOfLamps = [...kTold, 'colour', 'color', 'strength', 'intensity', 'radius'];
 
 export function placeObjects(map, grid, proposal, looks, notes, fault) {
-  const uses = new Map(proposal.classes.map(({ name, use }) => [name, use]));
+  const classes = new Map(proposal.classes.map((row) => [row.name, row]));
   // `isLit`: an object has a lamp, for which the map needs baked light
   const placed = { objects: [], lamps: [], messages: [], starts: [], isLit: false };
   // What stands in a block would not be seen.
@@ -39,7 +36,7 @@ export function placeObjects(map, grid, proposal, looks, notes, fault) {
   }
   for (const object of map.objects) {
     const layer = proposal.objectLayers[object.layer];
-    const use = uses.get(object.of) ?? 'object';
+    const { use = 'object', sprite = null } = classes.get(object.of) ?? {};
     const place = placeOf(object, layer);
     if (layer.use === 'leave out') continue;
     if (object.isHidden || use === 'leave out') {
@@ -47,7 +44,8 @@ export function placeObjects(map, grid, proposal, looks, notes, fault) {
       continue;
     }
     const at = placeWithin(object, map, grid.outside, place, notes);
-    if (at !== null) kPlacers[use]({ object, at, layer, place, placed, map, looks, notes, raised });
+    const all = { object, sprite, at, layer, place, placed, map, looks, notes, raised };
+    if (at !== null) kPlacers[use](all);
   }
   if (placed.messages.length > kMostMessages)
     throw fault('', `${placed.messages.length} messages`, `at most ${kMostMessages} in a map`);
@@ -110,32 +108,41 @@ function headingOf(object) {
 }
 
 function objectOf({ sprite, x, y, z, size, comment, heading = null, lamp = null }) {
-  const [height, width] = [size.height, size.width].map((side) =>
-    within(rounded(side) || 1, 0.01, kMostHeight),
-  );
+  const sideOf = (side) => within(rounded(side) || 1, 0.01, kMostHeight);
   return {
     ...(comment && { comment }),
     sprite,
     x,
     y,
     ...(z > 0 && { z }),
-    height,
-    width,
+    height: sideOf(size.height),
+    ...(size.width !== undefined && { width: sideOf(size.width) }),
     ...(heading !== null && { heading }),
     ...(lamp !== null && { lamp }),
   };
+}
+
+// The property counts more than what the class is shown as; only it has the object's size.
+function shippedOf({ object, sprite }) {
+  const own = String(propertiesOf(object).get('sprite') ?? '');
+  const isOwn = Object.hasOwn(kShippedSprites, own);
+  const name = isOwn ? own : sprite;
+  if (!Object.hasOwn(kShippedSprites, name ?? '')) return null;
+  const { height } = kShippedSprites[name];
+  return { name, size: isOwn && object.height > 0 ? object : { height } };
 }
 
 function placeSprite(all) {
   const { object, at, layer, place, placed, looks, notes, raised } = all;
   const { lamp = null, told = kTold } = all;
   const own = propertiesOf(object);
-  const shipped = own.get('sprite');
-  const sprite = kShippedSprites.includes(shipped)
-    ? looks.shippedSprite(shipped)
-    : object.kind === 0
-      ? null
-      : looks.sprite(object.kind);
+  const shipped = shippedOf(all);
+  const sprite =
+    shipped !== null
+      ? looks.shippedSprite(shipped.name)
+      : object.kind === 0
+        ? null
+        : looks.sprite(object.kind);
   if (sprite === null) {
     const reason =
       object.kind === 0
@@ -151,7 +158,7 @@ function placeSprite(all) {
       sprite,
       ...at,
       z: raised(at, heightOf(own, layer), place),
-      size: object,
+      size: shipped?.size ?? object,
       comment: commentOf([object.class, object.name].filter(Boolean).join(' '), own, told),
       heading: headingOf(object),
       lamp,
@@ -185,7 +192,7 @@ function placeLamp(all) {
     ...(strength !== null && { strength }),
     ...(radius !== null && { radius: within(rounded(radius), 0.1, 16) }),
   };
-  if (object.kind !== 0 || kShippedSprites.includes(own.get('sprite'))) {
+  if (object.kind !== 0 || shippedOf(all) !== null) {
     placeSprite({ ...all, lamp, told: kToldOfLamps });
     placed.isLit = true;
     return;

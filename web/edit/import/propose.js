@@ -13,8 +13,9 @@
 //                      is 'picture' (its parts), the name of a shipped texture, or '#rrggbb';
 //                      animated ones have the parts of each of their `frames`, and a `rate`
 //       objectLayers   [{ name, use, level, comment }]: 'take' or 'leave out'
-//       classes        [{ name, use, count }]: 'object', 'start', 'lamp', 'message' or
-//                      'leave out'
+//       classes        [{ name, use, sprite, count }]: 'object', 'start', 'lamp', 'message' or
+//                      'leave out'; `sprite` is a shipped one that shows them instead of their own
+//                      picture, or null
 //       maps           [{ name, width, depth, background, floor, comment, cells, objects }]:
 //                      `cells` has for each layer a list of kinds, counted from 1; 0 is nothing;
 //                      where no floor is painted lies the shipped texture `floor`, or a colour
@@ -22,6 +23,8 @@
 //       base           { scene, map } if export-tmj.js wrote the map, or null: all but its cells
 //       notTaken       [{ place, reason }]: what cannot be taken so far
 //     }
+
+import { kShippedSprites } from './shipped-sprites.js';
 
 const kLayerNames = [
   ['ceiling', /roof|ceiling|above|overhead|overlay|canopy/i],
@@ -53,9 +56,23 @@ export function propose(draft) {
   }
   for (const layer of layers) layer.use ??= 'level';
   giveLevels(layers);
-  for (const one of classes)
+  for (const one of classes) {
     one.use ??= kClassNames.find(([, words]) => words.test(one.name))?.[0] ?? 'object';
+    one.sprite ??= shippedFor(one, maps);
+  }
   return proposal;
+}
+
+// A class that is called as a shipped sprite, and has no picture of its own.
+function shippedFor({ name, use }, maps) {
+  const hasPicture = maps.some(({ objects }) =>
+    objects.some(({ of, kind }) => of === name && kind !== 0),
+  );
+  const wanted = name
+    .trim()
+    .toLowerCase()
+    .replaceAll(/[\s_]+/g, '-');
+  return use === 'object' && !hasPicture && Object.hasOwn(kShippedSprites, wanted) ? wanted : null;
 }
 
 function covers(maps, layer) {

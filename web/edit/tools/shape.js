@@ -1,5 +1,5 @@
-// Raises and lowers the top of the block that is pointed at, or its underside, by the wheel or by
-// dragging up and down. Takes targets; gives changes and lines to show. Knows no view.
+// Raises and lowers the top of the block that is pointed at, or its underside, by the wheel; the
+// side view lets one drag them. Takes targets; gives changes and lines to show. Knows no view.
 
 import { cellChanges } from '../cells.js';
 import { kindFor, kindOf } from '../kinds.js';
@@ -12,7 +12,7 @@ export const shape = {
   name: 'shape',
   label: 'Shape',
   key: 'H',
-  about: 'The wheel raises and lowers the top that is pointed at, or the underside.',
+  about: 'The wheel raises and lowers the pointed top or underside. Drag edges in the side view.',
 
   point({ map, mapName, cell, face }, { scene }) {
     if (cell === null) return [];

@@ -41,7 +41,7 @@ export const thing = {
   },
 
   end({ targets, removes }, { scene, thing: chosen }) {
-    const [{ thing: found, map, mapName, point }] = targets;
+    const [{ thing: found, map, mapName, point, isExact = false }] = targets;
     if (removes)
       return found === null || found[0] === 'start' ? [] : [{ path: found, value: undefined }];
     if (found !== null || targets.length > 1 || point === null) return [];
@@ -60,10 +60,11 @@ export const thing = {
       const where = Object.fromEntries(place.map((change) => [change.path.at(-1), change.value]));
       return [{ path: at, value: { ...value, x: 0, y: 0, ...where } }];
     };
-    if (chosen === 'lamp') return added(['maps', map, 'baked', 'lamps'], kLamp, z + kLampHeight);
-    const { name, height } = chosen ?? {};
+    const height = isExact ? z : z + kLampHeight;
+    if (chosen === 'lamp') return added(['maps', map, 'baked', 'lamps'], kLamp, height);
+    const { name, height: tall } = chosen ?? {};
     if (name === undefined) return [];
-    return added(['maps', map, 'objects'], { sprite: name, height }, z);
+    return added(['maps', map, 'objects'], { sprite: name, height: tall }, z);
   },
 };
 
