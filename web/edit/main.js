@@ -5,8 +5,14 @@ import { Adding } from './adding.js';
 import { SceneDocument } from './document.js';
 import { Editor } from './editor.js';
 import { Autosave } from './files/autosave.js';
-import { shareDialog } from './files/share-dialog.js';
+import { conflictDialog } from './files/conflict-dialog.js';
+import { pickedFile } from './files/file-homes.js';
+import { OneTab } from './files/one-tab.js';
 import { openDialog } from './files/open-dialog.js';
+import { SaveBar } from './files/save-bar.js';
+import { beginningOf, Saving } from './files/saving.js';
+import { shareDialog } from './files/share-dialog.js';
+import { keepOpened } from './files/world-store.js';
 import { FlyCamera } from './fly-camera.js';
 import { History } from './history.js';
 import { keyHelp, listenToKeys } from './keys.js';
@@ -38,18 +44,20 @@ const caster = byId('picture');
 const world = await openWorld(new URL(location.href)).catch((error) => fail(error));
 const kept = new Autosave(world.name);
 const before = await kept.read();
-const scene = readScene(before?.text ?? world.text);
+if (before?.base?.handle !== undefined) world.home ??= pickedFile(before.base.handle);
+const beginning = beginningOf(world, before);
+const scene = readScene(beginning.text);
 const own = new Map(before?.pictures); // the world's own pictures: file -> bytes
 const history = new History(scene);
 const editor = new Editor(scene, history, place);
-const pictures = new Pictures(scene, (file) => readPicture(own, file));
+const pictures = new Pictures(scene, (file) => readPicture(own, file, world));
 const camera = new FlyCamera(caster);
 let textView = null;
 
 caster.source = {
   name: `${world.name}.json`,
   readText: () => new TextEncoder().encode(scene.text),
-  readFile: (file) => readPicture(own, file).catch(() => null),
+  readFile: (file) => readPicture(own, file, world).catch(() => null),
   failures: new Map(),
 };
 
@@ -142,6 +150,7 @@ const actions = {
     editor.release();
   },
   cancel: () => editor.cancel(),
+  save: () => saveBar.save(),
 };
 byId('undo').addEventListener('click', actions.undo);
 byId('redo').addEventListener('click', actions.redo);
@@ -263,28 +272,46 @@ async function walk(isOn) {
 
 // ---- Keeping
 
-scene.listen(() => {
-  if (scene.mistake === null) kept.keep(scene.text, own);
+const saving = new Saving(scene, history, {
+  ...{ home: world.home, form: world.form, ...beginning },
+  choose: conflictDialog(byId('conflict'), (text) => saveBar.saveCopy(text)),
 });
+const saveBar = new SaveBar({ scene, saving, world, tell: toast });
+const keep = () => {
+  if (scene.mistake === null) kept.keep(scene.text, own, saving.base);
+};
+scene.listen(keep);
+saving.listen(keep);
 kept.listen((what) => {
   byId('kept').textContent = {
     kept: 'Kept in this browser.',
     failed: 'This browser keeps nothing: save the scene before you close the page.',
-    elsewhere: 'This world is open in another tab, too: the one that changes it last wins.',
   }[what];
-  if (what === 'elsewhere') toast('This world is open in another tab, too.');
 });
-shareDialog(byId('share'), byId('open-share'), { scene, own, world });
-openDialog(byId('files'), byId('open-files'), async () => {
-  await kept.forget();
-  location.reload();
+new OneTab(world.name, byId('other-tab'), {
+  flush: () => kept.write(),
+  reload: () => saveBar.leave(() => location.reload()),
+  copy: async () => {
+    const name = `${scene.value.title ?? 'world'} copy`;
+    const query = await keepOpened(name, { text: scene.text, pictures: own });
+    saveBar.leave(() => location.assign(query));
+  },
+});
+shareDialog(byId('share'), byId('open-share'), { scene, own, world, saveBar });
+openDialog(byId('files'), byId('open-files'), {
+  leave: (go) => saveBar.leave(go),
+  takePictures: () => false,
+  async beginAnew() {
+    await kept.forget();
+    saveBar.leave(() => location.reload());
+  },
 });
 keyHelp(byId('keys'), byId('open-keys'), kTools);
 listenToKeys(actions, camera, kTools, {
   isWalking: () => document.body.hasAttribute('data-walking'),
 });
 
-if (before !== null && before.text !== world.text) toast('Your world is as you left it.');
+if (beginning.text !== world.text) toast('Your world is as you left it.');
 if (world.isStranger && before === null)
   toast('A world from a link. What you change stays in this browser.');
 
@@ -305,8 +332,9 @@ function start() {
   });
   caster.look({ ...view, z: view.z + 1.2, flying: true });
   document.body.dataset.state = 'ready';
+  saving.settle().catch((error) => toast(error.message));
   // For the browser's console, and for tests.
-  window.slicecastEditor = { scene, history, editor, sync, caster };
+  window.slicecastEditor = { scene, history, editor, sync, caster, saving };
 }
 
 // ---- Small things

@@ -3,37 +3,59 @@
 // back works.
 
 import { listScenes, posterAddress } from '../../play/scene-list.js';
-import { Autosave } from './autosave.js';
+import { tagOf } from './file-homes.js';
 import { openFiles } from './open-file.js';
 import { templates } from './templates.js';
+import { keepOpened } from './world-store.js';
 
 const kMostListed = 12; // of what could not be taken
 
-// `beginAnew` opens the present world as it was.
-export function openDialog(dialog, button, beginAnew) {
+// `beginAnew` opens the present world as it was; `takePicture(files)` returns true if it takes files
+// that were dropped.
+export function openDialog(dialog, button, { beginAnew, takePictures, leave }) {
   let isFilled = false;
   const told = dialog.querySelector('#open-told');
   const input = document.createElement('input');
   Object.assign(input, { type: 'file', multiple: true, hidden: true });
   dialog.append(input);
   dialog.querySelector('#anew').addEventListener('click', beginAnew);
-  dialog.querySelector('#open-file').addEventListener('click', () => input.click());
-  input.addEventListener('change', () => take(input.files));
+  dialog.querySelector('#open-file').addEventListener('click', pick);
+  input.addEventListener('change', () => take([...input.files]));
   addEventListener('dragover', (event) => event.preventDefault());
   addEventListener('drop', (event) => {
     event.preventDefault();
-    if (event.dataTransfer.files.length === 0) return;
+    const files = [...event.dataTransfer.files];
+    if (files.length === 0 || document.querySelector('dialog[open]:not(#files)') !== null) return;
+    if (!dialog.open && takePictures(files)) return;
+    // Asked for at once: the list is emptied after this event.
+    const handles = [...event.dataTransfer.items].map((item) => item.getAsFileSystemHandle?.());
     if (!dialog.open) dialog.showModal();
-    take(event.dataTransfer.files);
+    take(files, Promise.all(handles));
   });
 
-  async function take(files) {
+  // Where pages may write files, the file is remembered, to be saved to.
+  async function pick() {
+    if (globalThis.showOpenFilePicker === undefined) return input.click();
+    try {
+      const handles = await showOpenFilePicker({ multiple: true });
+      take(await Promise.all(handles.map((handle) => handle.getFile())), handles);
+    } catch (error) {
+      if (error.name !== 'AbortError') told.replaceChildren(`This cannot be opened. ${error.message}`);
+    }
+  }
+
+  async function take(files, handles = []) {
     told.replaceChildren('Opening …');
     try {
-      const { name, text, pictures, notTaken } = await openFiles(files);
-      JSON.parse(text);
-      await new Autosave(`file ${name}`).write(text, pictures);
-      const go = () => location.assign(new URL(`?file=${encodeURIComponent(name)}`, location.href));
+      const { name, text, pictures, notTaken, form, scene } = await openFiles(files);
+      const base = { form, isSaved: false };
+      const handle = (await handles)[files.indexOf(scene)];
+      if (handle?.kind === 'file' && handle.createWritable !== undefined) {
+        const tag = await tagOf(new Uint8Array(await scene.arrayBuffer()));
+        Object.assign(base, { handle, tag, isSaved: true });
+      }
+      const query = await keepOpened(name, { text, pictures, base });
+      const go = () => leave(() => location.assign(new URL(query, location.href)));
       if (notTaken.length === 0) go();
       else told.replaceChildren(...listOf(notTaken), opener(go));
     } catch (error) {
@@ -69,9 +91,7 @@ function card(title, query, picture) {
     button.append(image);
   }
   button.append(title);
-  button.addEventListener('click', () =>
-    location.assign(new URL(query, location.pathname, location.href)),
-  );
+  button.addEventListener('click', () => location.assign(new URL(query, location.href)));
   item.append(button);
   return item;
 }
