@@ -22,9 +22,16 @@ const kElement = [
   'ray-caster-more.js',
   'ray-caster-sound.js',
 ];
-const kPages = ['embed.js', 'play/main.js', 'edit/main.js', 'edit/text-view.js', 'edit/import.js'];
+const kPages = [
+  'embed.js',
+  'play/main.js',
+  'edit/main.js',
+  'edit/hand-over.js',
+  'edit/text-view.js',
+  'edit/import.js',
+];
 const kPlayer = ['edit/player/boot.js', 'edit/player/main.js']; // of tools/player-page.mjs
-const kLater = ['edit/text-view.js', 'edit/import.js']; // of these; scripts load them when wanted
+const kLater = ['edit/hand-over.js', 'edit/text-view.js', 'edit/import.js']; // of these; scripts load them when wanted
 // These stay: Node's command uses the modules.
 const kForNode = [
   path.join('edit', 'import', path.sep),

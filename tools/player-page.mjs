@@ -74,7 +74,7 @@ async function packed(bytes) {
   ]);
   const small = Buffer.from(await optimise(Uint8Array.from(picture).buffer, kPacking));
   const data = [];
-  for (let begin = kSignature.length; begin < small.length; ) {
+  for (let begin = kSignature.length; begin < small.length;) {
     const length = small.readUInt32BE(begin);
     if (small.toString('latin1', begin + 4, begin + 8) === 'IDAT')
       data.push(small.subarray(begin + 8, begin + 8 + length));

@@ -9,6 +9,7 @@ import { conflictDialog } from './files/conflict-dialog.js';
 import { pickedFile } from './files/file-homes.js';
 import { OneTab } from './files/one-tab.js';
 import { openDialog } from './files/open-dialog.js';
+import { OwnPictures } from './files/own-pictures.js';
 import { SaveBar } from './files/save-bar.js';
 import { beginningOf, Saving } from './files/saving.js';
 import { shareDialog } from './files/share-dialog.js';
@@ -95,7 +96,11 @@ shipped.then((groups) => {
   for (const { file, height } of groups.flatMap(({ pictures: all }) => all))
     heights.set(`../${file}`, height);
 });
-const adding = new Adding(byId('adding'), editor, pictures, () => shipped);
+const ownPictures = new OwnPictures(byId('own-picture'), editor, own, (text) => toast(text));
+const adding = new Adding(byId('adding'), editor, pictures, {
+  readShipped: () => shipped,
+  ownPictures,
+});
 const palette = new Palette(byId('palette'), editor, pictures, {
   add: (what) => {
     if (what === 'blocks') adding.block();
@@ -117,6 +122,12 @@ const panel = new Panel(
 
 // ---- The bar
 
+const playable = new URL(location.href).searchParams.get('scene');
+if (playable !== null)
+  byId('home').search = new URLSearchParams({
+    scene: playable,
+    ...(world.home?.at === undefined ? {} : { live: 1 }),
+  });
 byId('title').value = scene.value.title ?? '';
 byId('title').addEventListener('change', ({ target }) =>
   history.do('Rename', [{ path: ['title'], value: target.value || undefined }]),
@@ -276,9 +287,9 @@ const saving = new Saving(scene, history, {
   ...{ home: world.home, form: world.form, ...beginning },
   choose: conflictDialog(byId('conflict'), (text) => saveBar.saveCopy(text)),
 });
-const saveBar = new SaveBar({ scene, saving, world, tell: toast });
+const saveBar = new SaveBar({ scene, saving, world, ownPictures, tell: toast });
 const keep = () => {
-  if (scene.mistake === null) kept.keep(scene.text, own, saving.base);
+  if (scene.mistake === null) kept.keep(scene.text, ownPictures.kept, saving.base);
 };
 scene.listen(keep);
 saving.listen(keep);
@@ -293,14 +304,18 @@ new OneTab(world.name, byId('other-tab'), {
   reload: () => saveBar.leave(() => location.reload()),
   copy: async () => {
     const name = `${scene.value.title ?? 'world'} copy`;
-    const query = await keepOpened(name, { text: scene.text, pictures: own });
+    const query = await keepOpened(name, { text: scene.text, pictures: ownPictures.kept });
     saveBar.leave(() => location.assign(query));
   },
 });
-shareDialog(byId('share'), byId('open-share'), { scene, own, world, saveBar });
+shareDialog(byId('share'), byId('open-share'), { scene, own, ownPictures, world, saveBar });
 openDialog(byId('files'), byId('open-files'), {
   leave: (go) => saveBar.leave(go),
-  takePictures: () => false,
+  takePictures(files) {
+    const takes = ownPictures.takes(files);
+    if (takes) ownPictures.add(files);
+    return takes;
+  },
   async beginAnew() {
     await kept.forget();
     saveBar.leave(() => location.reload());

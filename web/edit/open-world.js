@@ -44,8 +44,7 @@ export async function openWorld(address) {
   const file = wanted.get('file');
   if (file !== null) {
     const kept = await readWorld(`file ${file}`);
-    if (kept === null)
-      throw new Error(`This browser has no world "${file}". Open its file again.`);
+    if (kept === null) throw new Error(`This browser has no world "${file}". Open its file again.`);
     const { text, base = {} } = kept;
     const home = base.handle === undefined ? null : pickedFile(base.handle);
     const now = (await home?.ifReadable()) ?? null;
@@ -70,7 +69,14 @@ export async function openWorld(address) {
 
 async function ofFile(home) {
   const { bytes, tag } = await home.read();
-  return { name: `served ${home.id}`, isStranger: false, home, tag, isRead: true, ...textIn(bytes) };
+  return {
+    name: `served ${home.id}`,
+    isStranger: false,
+    home,
+    tag,
+    isRead: true,
+    ...textIn(bytes),
+  };
 }
 
 // Each link has a name of its own, so that what was made of one is there again.
@@ -97,7 +103,6 @@ export async function readPicture(own, file, { home } = {}) {
   if (mine !== undefined) return mine;
   const beside = home?.at === undefined ? null : await pictureBeside(file, home.at);
   if (beside !== null) return beside;
-  if (!/^\.\.\/(textures|see-through|sheets|sprites)\/[\w-]+\.png$/.test(file))
-    return null;
+  if (!/^\.\.\/(textures|see-through|sheets|sprites)\/[\w-]+\.png$/.test(file)) return null;
   return fetchBytes(new URL(file, kScenes));
 }

@@ -27,7 +27,8 @@ export async function servedFile(address) {
   const at = new URL(address, document.baseURI);
   const read = async () => {
     const answer = await fetch(at, { cache: 'no-store' });
-    if (!answer.ok) throw new Error(`The scene cannot be read: the server answers ${answer.status}.`);
+    if (!answer.ok)
+      throw new Error(`The scene cannot be read: the server answers ${answer.status}.`);
     return { bytes: new Uint8Array(await answer.arrayBuffer()), tag: answer.headers.get('ETag') };
   };
   return {

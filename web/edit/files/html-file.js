@@ -4,6 +4,7 @@
 //
 //     const html = await htmlFile({ player, text, readPicture: async (file) => bytes, deflate });
 //     picturesOf(scene)              // the files that a scene names
+//     wordsIn(scene)                 // a Set: a picture whose name is not among them is not used
 //
 // All that others have written, names and texts, is packed into letters that mean nothing to HTML;
 // only the title stands there as it is, escaped.
@@ -27,14 +28,18 @@ export async function htmlFile({ player, text, readPicture, deflate }) {
     pictures: pictures.map(([file, { length }]) => [file, length]),
   });
   // Each part of the page has a zero before it.
-  const world = joined([new TextEncoder().encode(`\0${head}\0`), ...pictures.map(([, bytes]) => bytes)]);
+  const world = joined([
+    new TextEncoder().encode(`\0${head}\0`),
+    ...pictures.map(([, bytes]) => bytes),
+  ]);
+  // The title last: it stands before the world, so nothing that others have written is a place.
   return [
-    ['{{title}}', escaped(title)],
     ['{{world}}', denseText(deflate(world))],
+    ['{{title}}', escaped(title)],
   ].reduce(filledIn, player);
 }
 
-// The first such place: what was filled in before it is escaped, and what follows is not looked at.
+// At the first such place.
 function filledIn(page, [mark, text]) {
   const at = page.indexOf(mark);
   if (at < 0) throw new Error(`The player lacks ${mark}: it is of another release.`);
@@ -66,7 +71,13 @@ export function picturesOf({ textures = {}, sprites = {}, maps = [] }) {
 
 // Textures and sprites whose name stands nowhere else in the scene.
 function leaveOutUnused(scene) {
-  const { textures, sprites, ...rest } = scene;
+  const words = wordsIn(scene);
+  for (const table of [scene.textures, scene.sprites])
+    for (const name of Object.keys(table ?? {})) if (!words.has(name)) delete table[name];
+}
+
+// All texts and keys of a scene but the names of its pictures.
+export function wordsIn({ textures, sprites, ...rest }) {
   const words = new Set();
   const take = (value) => {
     if (typeof value === 'string') words.add(value);
@@ -77,11 +88,9 @@ function leaveOutUnused(scene) {
       }
   };
   take(rest);
-  for (const table of [sprites, textures]) {
-    if (typeof table !== 'object' || table === null) continue;
-    for (const name of Object.keys(table)) if (!words.has(name)) delete table[name];
-    for (const kept of Object.values(table)) if (typeof kept === 'object') take(kept);
-  }
+  for (const picture of [...Object.values(textures ?? {}), ...Object.values(sprites ?? {})])
+    if (typeof picture === 'object') take(picture);
+  return words;
 }
 
 function joined(parts) {

@@ -40,7 +40,8 @@ export function openDialog(dialog, button, { beginAnew, takePictures, leave }) {
       const handles = await showOpenFilePicker({ multiple: true });
       take(await Promise.all(handles.map((handle) => handle.getFile())), handles);
     } catch (error) {
-      if (error.name !== 'AbortError') told.replaceChildren(`This cannot be opened. ${error.message}`);
+      if (error.name !== 'AbortError')
+        told.replaceChildren(`This cannot be opened. ${error.message}`);
     }
   }
 

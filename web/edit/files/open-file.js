@@ -36,7 +36,9 @@ export async function openFiles(list) {
 function checkSize(name, size) {
   const most = /\.json$/i.test(name) ? kMostSceneBytes : kMostFileBytes;
   if (size > most)
-    throw new Error(`${name} is too large: found ${megabytes(size)}, expected ${megabytes(most)} at most.`);
+    throw new Error(
+      `${name} is too large: found ${megabytes(size)}, expected ${megabytes(most)} at most.`,
+    );
 }
 
 const megabytes = (bytes) => `${Math.ceil(bytes / 2 ** 20)} MB`;
@@ -117,7 +119,9 @@ function unpacked(bytes) {
   const unzip = new Unzip((file) => {
     count += 1;
     if (count > kMostFiles)
-      throw new Error(`The zip has more than ${kMostFiles} files, expected a scene and its pictures.`);
+      throw new Error(
+        `The zip has more than ${kMostFiles} files, expected a scene and its pictures.`,
+      );
     checkName(file.name);
     const isWanted = !file.name.endsWith('/') && !kHidden.test(file.name);
     const parts = [];
@@ -132,7 +136,7 @@ function unpacked(bytes) {
     file.start();
   });
   unzip.register(UnzipInflate);
-  const step = 1 << 16; // so that it stops soon after the limit
+  const step = 1 << 12; // so that it stops soon after the limit
   for (let at = 0; at < bytes.length; at += step)
     unzip.push(bytes.subarray(at, at + step), at + step >= bytes.length);
   return files;

@@ -1,7 +1,7 @@
 // Saving as the visitor sees it: the button, the title with its dot, the question before leaving,
 // and what went wrong. Takes a Saving; gives files to the browser.
 //
-//     const saveBar = new SaveBar({ scene, saving, world, tell(text) {} });
+//     const saveBar = new SaveBar({ scene, saving, world, ownPictures, tell });
 //     await saveBar.save();          // into its file; without one, as a file to be named
 //     await saveBar.saveAs();
 //     saveBar.saveCopy(text)         // as a download; the words for it
@@ -20,14 +20,16 @@ export class SaveBar {
   #scene;
   #saving;
   #world;
+  #ownPictures;
   #tell;
   #isLeaving = false;
   #button = document.getElementById('save');
 
-  constructor({ scene, saving, world, tell }) {
+  constructor({ scene, saving, world, ownPictures, tell }) {
     this.#scene = scene;
     this.#saving = saving;
     this.#world = world;
+    this.#ownPictures = ownPictures;
     this.#tell = tell;
     this.#button.addEventListener('click', () => this.save());
     addEventListener('beforeunload', (event) => {
@@ -82,7 +84,13 @@ export class SaveBar {
     try {
       const how = await save();
       const { name } = this.#saving.home;
-      if (how === 'saved') this.#tell(`Saved ${name}`);
+      const pictures = [...this.#ownPictures.named.keys()];
+      if (how === 'saved')
+        this.#tell(
+          pictures.length === 0
+            ? `Saved ${name}`
+            : `Saved ${name}. Put ${pictures.join(', ')} beside it: the zip has them.`,
+        );
       if (how === 'taken') this.#tell(`The text is that of ${name} now`);
     } catch (error) {
       this.#tell(error.message);

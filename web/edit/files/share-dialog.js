@@ -2,18 +2,17 @@
 // Takes the document and the world's own pictures; gives files to the browser.
 
 import { deflateSync, strToU8, zipSync } from 'fflate';
-import { fetchBytes } from '../../engine/fetch-bytes.js';
 import { kHome } from '../../engine/home.js';
 import { readPicture } from '../open-world.js';
 import { download } from './download.js';
-import { htmlFile, picturesOf } from './html-file.js';
-import { frameOf, tagOf } from './share-texts.js';
+import { htmlFile } from './html-file.js';
+import { frameFor, tagFor } from './share-texts.js';
 import { linkOf } from './world-link.js';
 
 const kPlayer = new URL('edit/player.txt', kHome);
 const kShownCopied = 2000; // milliseconds
 
-export function shareDialog(dialog, button, { scene, own, world, saveBar }) {
+export function shareDialog(dialog, button, { scene, own, ownPictures, world, saveBar }) {
   const find = (id) => dialog.querySelector(`#${id}`);
   const tell = (text) => (find('share-told').textContent = text);
   const name = () => saveBar.name;
@@ -22,9 +21,9 @@ export function shareDialog(dialog, button, { scene, own, world, saveBar }) {
     tell('');
     showLink();
     const about = { name: name(), title: scene.value.title ?? '' };
-    find('share-tag').value = tagOf(about);
-    find('share-frame').value = frameOf(about);
-    const pictures = own.size === 0 ? '' : ' and its own pictures';
+    find('share-tag').value = tagFor(about);
+    find('share-frame').value = frameFor(about);
+    const pictures = ownPictures.named.size === 0 ? '' : ' and its own pictures';
     find('tag-about').textContent =
       `Needs Slicecast’s folder on your site as slicecast, with ${name()}.json${pictures} in slicecast/scenes.`;
     find('frame-about').textContent =
@@ -33,9 +32,8 @@ export function shareDialog(dialog, button, { scene, own, world, saveBar }) {
   });
 
   function showLink() {
-    const hasPictures = [...own.keys()].some((file) => picturesOf(scene.value).includes(file));
-    const link =
-      scene.mistake === null && !hasPictures ? linkOf(scene.text, location.href) : null;
+    const hasPictures = ownPictures.named.size > 0;
+    const link = scene.mistake === null && !hasPictures ? linkOf(scene.text, location.href) : null;
     find('share-link').value = link ?? '';
     find('share-link').disabled = link === null;
     dialog.querySelector('[data-copy=share-link]').disabled = link === null;
@@ -63,7 +61,7 @@ export function shareDialog(dialog, button, { scene, own, world, saveBar }) {
   find('save-scene').addEventListener('click', () => saveBar.saveAs());
   find('save-zip').addEventListener('click', () => {
     const files = { [`${name()}.json`]: strToU8(scene.text) };
-    for (const [file, bytes] of own) files[file] = bytes;
+    for (const [file, bytes] of ownPictures.named) files[file] = bytes;
     download(`${name()}.zip`, zipSync(files), 'application/zip');
     tell(`Saved ${name()}.zip.`);
   });
@@ -72,7 +70,7 @@ export function shareDialog(dialog, button, { scene, own, world, saveBar }) {
     tell('Making the file …');
     try {
       const text = await htmlFile({
-        player: new TextDecoder().decode(await fetchBytes(kPlayer)),
+        player: await readPlayer(),
         text: scene.text,
         readPicture: (file) => readPicture(own, file, world),
         deflate: (bytes) => deflateSync(bytes, { level: 9, mem: 12 }),
@@ -84,4 +82,10 @@ export function shareDialog(dialog, button, { scene, own, world, saveBar }) {
     }
     currentTarget.disabled = false;
   });
+}
+
+async function readPlayer() {
+  const answer = await fetch(kPlayer).catch(() => null);
+  if (!answer?.ok) throw new Error('The player could not be loaded: is the page offline?');
+  return answer.text();
 }
