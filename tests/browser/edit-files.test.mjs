@@ -446,7 +446,7 @@ test('one HTML file plays from a disk, by keys and by touch, without a request',
       return Math.hypot(now.x - x, now.y - y) > 0.3;
     }, before);
   };
-  await player.focus('ray-caster');
+  await player.waitForFunction(() => document.activeElement.localName === 'ray-caster');
   await player.keyboard.press('Enter');
   await isEntered(true);
   await player.keyboard.down('KeyW');

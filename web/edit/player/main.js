@@ -26,6 +26,8 @@ caster.source = { name: title, readText: () => text, readFile: (file) => files.g
 caster.addEventListener('statechange', ({ detail: { state } }) => {
   document.body.dataset.state = state;
 });
+// Keys play at once.
+caster.addEventListener('ready', () => requestAnimationFrame(() => caster.focus()), { once: true });
 let timer = 0;
 const tell = (words) => {
   find('told').textContent = words;
