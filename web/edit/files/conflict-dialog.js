@@ -9,6 +9,7 @@ import { differencesOf } from './line-differences.js';
 const kMostPlaces = 40;
 const kMostLines = 12; // shown of a place
 const kMostLetters = 160; // of a line
+const kBefore = 8; // letters of a line before those that differ
 
 export function conflictDialog(dialog, saveCopy) {
   const find = (name) => dialog.querySelector(`[data-conflict=${name}]`);
@@ -29,7 +30,9 @@ export function conflictDialog(dialog, saveCopy) {
       `It differs from what you have here in ${counted(places.length)}.`;
     find('told').textContent = '';
     find('places').replaceChildren(
-      ...places.slice(0, kMostPlaces).flatMap(({ one, other }) => [half(one), half(other)]),
+      ...places
+        .slice(0, kMostPlaces)
+        .flatMap(({ one, other }) => [half(one, other), half(other, one)]),
     );
     find('rest').hidden = places.length <= kMostPlaces;
     find('rest').textContent = `And ${counted(places.length - kMostPlaces)} more.`;
@@ -49,7 +52,7 @@ export function conflictDialog(dialog, saveCopy) {
 
 const counted = (places) => (places === 1 ? 'one place' : `${places} places`);
 
-function half({ from, lines }) {
+function half({ from, lines }, other) {
   const part = document.createElement('div');
   const where = document.createElement('p');
   where.className = 'soft figures';
@@ -60,13 +63,27 @@ function half({ from, lines }) {
         ? `line ${from}`
         : `lines ${from} to ${from + lines.length - 1}`;
   const text = document.createElement('pre');
-  const shown = lines.slice(0, kMostLines).map(cut);
-  if (lines.length > kMostLines) shown.push('…');
-  text.textContent = shown.join('\n');
+  for (const [at, line] of lines.slice(0, kMostLines).entries())
+    text.append(...(at > 0 ? ['\n'] : []), ...marked(line, other.lines[at] ?? ''));
+  if (lines.length > kMostLines) text.append('\n…');
   part.append(where, text);
   return part;
 }
 
-function cut(line) {
-  return line.length > kMostLetters ? `${line.slice(0, kMostLetters)} …` : line;
+// The line, from shortly before what differs from the other one.
+function marked(line, other) {
+  const most = Math.min(line.length, other.length);
+  let begin = 0;
+  while (begin < most && line[begin] === other[begin]) ++begin;
+  let tail = 0;
+  while (tail < most - begin && line.at(-1 - tail) === other.at(-1 - tail)) ++tail;
+  const end = line.length - tail;
+  const first = Math.max(0, begin - kBefore);
+  const differs = document.createElement('mark');
+  differs.textContent = cut(line.slice(begin, end));
+  return [first > 0 ? '… ' : '', line.slice(first, begin), differs, cut(line.slice(end))];
+}
+
+function cut(text) {
+  return text.length > kMostLetters ? `${text.slice(0, kMostLetters)} …` : text;
 }
