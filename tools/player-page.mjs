@@ -1,7 +1,7 @@
 // Makes the player of a built page: the HTML file that plays a world from a disk, without a world.
 // The editor and the command `slicecast html` fill one in (edit/files/html-file.js).
 //
-//     node tools/player-page.mjs FOLDER        // makes FOLDER/edit/player.txt of FOLDER/edit/player
+//     node tools/player-page.mjs FOLDER   // makes FOLDER/edit/player.txt of FOLDER/edit/player
 //
 // Programs are packed better than zlib does it, as a file is to be small: oxipng packs them as the
 // pixels of a picture with one row, and what is packed there is taken out again.

@@ -10,8 +10,8 @@ import { keepOpened } from './world-store.js';
 
 const kMostListed = 12; // of what could not be taken
 
-// `beginAnew` opens the present world as it was; `takePicture(files)` returns true if it takes files
-// that were dropped.
+// `beginAnew` opens the present world as it was; `takePictures(files)` returns true if it takes
+// what was dropped; `leave(go)` goes to another page.
 export function openDialog(dialog, button, { beginAnew, takePictures, leave }) {
   let isFilled = false;
   const told = dialog.querySelector('#open-told');

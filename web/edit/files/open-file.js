@@ -1,6 +1,6 @@
 // Opens files from the visitor's computer as a world: a scene, a zip that was saved here, or a map
 // of another program with the files that it names. Takes files; gives {name, text, pictures,
-// notTaken, form, scene}: `form` is that of text-form.js, `scene` the file that is the scene itself.
+// notTaken, form, scene}: `form` is that of text-form.js, `scene` the file that is a scene itself.
 // Throws an Error in plain words; changes nothing.
 //
 //     const world = await openFiles([...input.files]);

@@ -1,8 +1,8 @@
-// The worlds that this browser keeps, by name. Takes and gives {text, pictures, base}: the text, the
-// world's own pictures (file -> bytes), and what is known of its file (saving.js).
+// The worlds that this browser keeps, by name. Takes and gives {text, pictures, base}: the text,
+// the world's own pictures (file -> bytes), and what is known of its file (saving.js).
 //
 //     await readWorld('castle')                     // or null
-//     await writeWorld('castle', { text, pictures, base });      // throws if the browser keeps none
+//     await writeWorld('castle', { text, pictures, base });    // throws if none is kept
 //     await forgetWorld('castle');
 //     await keepOpened('yard', world)               // of a file; the query that opens it
 //
