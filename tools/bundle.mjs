@@ -22,9 +22,23 @@ const kElement = [
   'ray-caster-more.js',
   'ray-caster-sound.js',
 ];
-const kPages = ['embed.js', 'play/main.js', 'edit/main.js', 'edit/text-view.js', 'edit/import.js'];
-const kLater = ['edit/text-view.js', 'edit/import.js']; // of these; scripts load them when wanted
-const kForNode = path.join('edit', 'import'); // stays: Node's command uses the modules
+const kPages = [
+  'embed.js',
+  'play/main.js',
+  'edit/main.js',
+  'edit/hand-over.js',
+  'edit/text-view.js',
+  'edit/import.js',
+];
+const kPlayer = ['edit/player/boot.js', 'edit/player/main.js']; // of tools/player-page.mjs
+const kLater = ['edit/hand-over.js', 'edit/text-view.js', 'edit/import.js']; // of these; scripts load them when wanted
+// These stay: Node's command uses the modules.
+const kForNode = [
+  path.join('edit', 'import', path.sep),
+  ...['html-file.js', 'dense-text.js', 'share-texts.js', 'text-form.js'].map((name) =>
+    path.join('edit', 'files', name),
+  ),
+];
 const inFolder = (name) => path.resolve(folder, name);
 const kSmall = { target: 'es2022', minify: true, legalComments: 'none', logLevel: 'warning' };
 
@@ -72,7 +86,18 @@ const addressesFrom = (script) => ({
     }),
 });
 
-const bundle = async (script, external) => {
+// The page that plays from a disk has all in one script, and its engine in itself.
+const inOneFile = {
+  name: 'in one file',
+  setup({ onLoad, onResolve }) {
+    onResolve({ filter: /engine-files\.js$/ }, () => ({
+      path: inFolder('edit/player/engine-files.js'),
+    }));
+    onLoad({ filter: /[\\/]ray-caster-rows\.js$/ }, () => ({ contents: '' })); // it has JSON
+  },
+};
+
+const bundle = async (script, external, more = []) => {
   const {
     metafile: { inputs },
     outputFiles: [{ text }],
@@ -86,7 +111,7 @@ const bundle = async (script, external) => {
     format: 'esm',
     external: external.filter((other) => other !== script),
     nodePaths: [fileURLToPath(new URL('node_modules', import.meta.url))],
-    plugins: [smallSheets, versionOfPackage, addressesFrom(script)],
+    plugins: [...more, smallSheets, versionOfPackage, addressesFrom(script)],
   });
   return { script, text, modules: Object.keys(inputs).map((name) => path.resolve(name)) };
 };
@@ -95,6 +120,7 @@ const scripts = kElement.map(inFolder);
 const bundles = await Promise.all([
   ...scripts.map((script) => bundle(script, scripts)),
   ...kPages.map((name) => bundle(inFolder(name), [...scripts, ...kLater.map(inFolder)])),
+  ...kPlayer.map((name) => bundle(inFolder(name), [], [inOneFile])),
 ]);
 for (const { script, text } of bundles) {
   // Bundlers cannot follow an address that is known only at run time. Minifying removes the comment
@@ -132,6 +158,6 @@ for (const module of bundled) {
   const [part] = path.relative(folder, module).split(path.sep);
   const isOnlyThere =
     ['element', 'play', 'sound', 'edit'].includes(part) &&
-    !path.relative(folder, module).startsWith(kForNode + path.sep);
+    !kForNode.some((kept) => path.relative(folder, module).startsWith(kept));
   if (isOnlyThere && !kept.has(module)) await rm(module);
 }

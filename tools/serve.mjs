@@ -11,7 +11,8 @@
 // stranger's page whose name resolves to this machine could read the files (DNS rebinding).
 //
 //     /...                   the page
-//     /-/scene/NAME.json     the scene, read again for each request
+//     /-/scene/NAME.json     the scene, read again for each request; PUT saves it (scene-saves.mjs)
+//     /-/save                what the editor needs to save the scene
 //     /-/scene/...           pictures in the scene's folder; ../x in the scene is at /-/x. Links
 //                            are followed where they lead to a picture that could be served itself
 //     /-/events              an event stream: `scene` when the scene or a picture of it was saved
@@ -26,6 +27,7 @@ import process from 'node:process';
 import { fileURLToPath } from 'node:url';
 import { parseArgs } from 'node:util';
 import sirv from 'sirv';
+import { SceneSaves, tagOf } from './scene-saves.mjs';
 
 const kFirstPort = 8080;
 const kPortsTried = 50;
@@ -46,7 +48,11 @@ class WatchedScene {
 
   // The query that opens the scene, relative to the page.
   get address() {
-    return `?scene=-/scene/${encodeURIComponent(this.name)}&live=1`;
+    return `?scene=-/scene/${this.urlName}&live=1`;
+  }
+
+  get urlName() {
+    return encodeURIComponent(this.name);
   }
 
   // Every picture that the text names. The text may be invalid JSON while somebody edits it, so
@@ -187,24 +193,36 @@ function refuse(response, status, text, headers = {}) {
 
 async function serveSceneFile(scene, urlPath, response) {
   const file = await scene.resolve(urlPath);
+  if (file === scene.file) return serveScene(file, response);
   const found = file === null ? null : await stat(file).catch(() => null);
   if (found === null || !found.isFile())
     return refuse(response, 404, 'There is no such file beside the scene.');
-  const type = /\.png$/i.test(file) ? 'image/png' : 'application/json; charset=utf-8';
   response.writeHead(200, {
-    'Content-Type': type,
+    'Content-Type': 'image/png',
     'Content-Length': found.size,
     'Cache-Control': 'no-store',
   });
   createReadStream(file).pipe(response);
 }
 
+// With the tag by which a save knows that nobody else has saved meanwhile.
+async function serveScene(file, response) {
+  const bytes = await readFile(file).catch(() => null);
+  if (bytes === null) return refuse(response, 404, 'There is no such file beside the scene.');
+  response.writeHead(200, {
+    'Content-Type': 'application/json; charset=utf-8',
+    'Content-Length': bytes.length,
+    'Cache-Control': 'no-store',
+    ETag: tagOf(bytes),
+  });
+  response.end(bytes);
+}
+
 function serveEvents(scene, request, response) {
   response.writeHead(200, { 'Content-Type': 'text/event-stream', 'Cache-Control': 'no-store' });
   if (request.method === 'HEAD') return response.end();
   response.write('retry: 1000\n\n');
-  const send = () =>
-    response.write(`event: scene\ndata: -/scene/${encodeURIComponent(scene.name)}\n\n`);
+  const send = () => response.write(`event: scene\ndata: -/scene/${scene.urlName}\n\n`);
   const beat = setInterval(() => response.write(': still here\n\n'), 15000);
   scene.listeners.add(send);
   request.on('close', () => {
@@ -290,6 +308,7 @@ export async function startServer({
   const known = [...kHosts, ...others, ...hosts.map((host) => host.toLowerCase())];
   const scene = sceneFile === undefined ? null : new WatchedScene(sceneFile);
   await scene?.start();
+  const saves = scene === null ? null : new SceneSaves(scene, { hosts: kHosts, lan });
   let rest = null;
 
   const page = sirv(folder, {
@@ -306,6 +325,9 @@ export async function startServer({
         403,
         `Found the host "${request.headers.host}", expected ${known.join(' or ')}. tools/play --host NAME allows another one.`,
       );
+    const isSave =
+      request.method === 'PUT' && scene !== null && request.url === `/-/scene/${scene.urlName}`;
+    if (isSave) return saves.take(request, response);
     if (!kMethods.includes(request.method))
       return refuse(
         response,
@@ -324,6 +346,7 @@ export async function startServer({
     if (urlPath.startsWith('/-/')) {
       if (scene === null) return refuse(response, 404, 'No scene was given to tools/play.');
       if (urlPath === '/-/events') return serveEvents(scene, request, response);
+      if (urlPath === '/-/save') return saves.tell(request, response);
       return serveSceneFile(scene, urlPath.slice(3), response);
     }
     const missing = () => refuse(response, 404, 'There is no such file.');

@@ -6,6 +6,7 @@
 //     const undoing = scene.apply([{ offset, length, content }]);   // in the order of the text
 //     scene.edits({ path: ['start', 'x'], value: 2.5 })             // such edits; see json-text.js
 //     scene.edits({ map: 0, cells: [{ layer: 1, x: 3, y: 4, sign: '#' }] })
+//     scene.edits({ text: '...' })                                  // another text as a whole
 //     scene.rows(0, 1)                                              // of a layer, as texts
 //     scene.listen(({ cells, isWhole, edits, undoing }) => ...)
 //
@@ -15,7 +16,7 @@
 
 import { findNodeAtLocation, parseTree, printParseErrorCode } from 'jsonc-parser';
 import { signsOf } from '../engine/signs.js';
-import { editsToSet } from './json-text.js';
+import { editsToBecome, editsToSet } from './json-text.js';
 import { levelsOf } from './levels.js';
 
 const kStrict = { disallowComments: true, allowTrailingComma: false };
@@ -76,6 +77,7 @@ export class SceneDocument {
 
   // The edits that make a change.
   edits(change) {
+    if (change.text !== undefined) return editsToBecome(this.#text, change.text);
     return change.cells === undefined
       ? editsToSet(this.#text, this.#tree, change.path, change.value, change)
       : this.#cellEdits(change);

@@ -31,6 +31,23 @@ export function editsToSet(text, tree, path, value, { insert = false } = {}) {
   return [insertion(text, parent, key, value)];
 }
 
+// From the first letter that differs to the last one.
+export function editsToBecome(text, wanted) {
+  if (text === wanted) return [];
+  const most = Math.min(text.length, wanted.length);
+  let begin = 0;
+  while (begin < most && text[begin] === wanted[begin]) ++begin;
+  let tail = 0;
+  while (tail < most - begin && text.at(-1 - tail) === wanted.at(-1 - tail)) ++tail;
+  return [
+    {
+      offset: begin,
+      length: text.length - begin - tail,
+      content: wanted.slice(begin, wanted.length - tail),
+    },
+  ];
+}
+
 // On one line if it fits, else a member a line. Rows of tiles always stand below each other.
 export function printed(value, indent, key = '') {
   const flat = flatText(value);

@@ -14,6 +14,7 @@ const kGroups = [
       ['1 to 9', 'choose a block; , and . the one before and after'],
       ['Escape', 'leave a stroke as if it had not begun'],
       ['Ctrl Z, Ctrl Y', 'undo, redo'],
+      ['Ctrl S', 'save'],
     ],
   ],
   [
@@ -45,6 +46,12 @@ export function listenToKeys(actions, camera, tools, { isWalking }) {
     'keydown',
     (event) => {
       if (document.querySelector('dialog[open]') !== null) return;
+      if (isSaveKey(event)) {
+        event.preventDefault();
+        event.stopPropagation();
+        if (!event.repeat) actions.save();
+        return;
+      }
       if (event.code === 'Tab' && isWalkKey(event)) {
         event.preventDefault();
         event.stopPropagation();
@@ -102,6 +109,10 @@ export function listenToKeys(actions, camera, tools, { isWalking }) {
 // Elsewhere Tab goes from button to button, as does Shift and Tab everywhere.
 function isWalkKey({ target, ctrlKey, altKey, shiftKey }) {
   return !ctrlKey && !altKey && !shiftKey && target.matches('body, #picture, .flat');
+}
+
+function isSaveKey({ code, ctrlKey, metaKey, altKey, shiftKey }) {
+  return code === 'KeyS' && (ctrlKey || metaKey) && !altKey && !shiftKey;
 }
 
 // The text has no history of its own.

@@ -5,8 +5,15 @@ import { Adding } from './adding.js';
 import { SceneDocument } from './document.js';
 import { Editor } from './editor.js';
 import { Autosave } from './files/autosave.js';
-import { shareDialog } from './files/share-dialog.js';
+import { conflictDialog } from './files/conflict-dialog.js';
+import { pickedFile } from './files/file-homes.js';
+import { OneTab } from './files/one-tab.js';
 import { openDialog } from './files/open-dialog.js';
+import { OwnPictures } from './files/own-pictures.js';
+import { SaveBar } from './files/save-bar.js';
+import { beginningOf, Saving } from './files/saving.js';
+import { shareDialog } from './files/share-dialog.js';
+import { keepOpened } from './files/world-store.js';
 import { FlyCamera } from './fly-camera.js';
 import { History } from './history.js';
 import { keyHelp, listenToKeys } from './keys.js';
@@ -40,18 +47,20 @@ const caster = byId('picture');
 const world = await openWorld(new URL(location.href)).catch((error) => fail(error));
 const kept = new Autosave(world.name);
 const before = await kept.read();
-const scene = readScene(before?.text ?? world.text);
+if (before?.base?.handle !== undefined) world.home ??= pickedFile(before.base.handle);
+const beginning = beginningOf(world, before);
+const scene = readScene(beginning.text);
 const own = new Map(before?.pictures); // the world's own pictures: file -> bytes
 const history = new History(scene);
 const editor = new Editor(scene, history, place);
-const pictures = new Pictures(scene, (file) => readPicture(own, file));
+const pictures = new Pictures(scene, (file) => readPicture(own, file, world));
 const camera = new FlyCamera(caster);
 let textView = null;
 
 caster.source = {
   name: `${world.name}.json`,
   readText: () => new TextEncoder().encode(scene.text),
-  readFile: (file) => readPicture(own, file).catch(() => null),
+  readFile: (file) => readPicture(own, file, world).catch(() => null),
   failures: new Map(),
 };
 
@@ -87,7 +96,11 @@ shipped.then((groups) => {
   for (const { file, height } of groups.flatMap(({ pictures: all }) => all))
     heights.set(`../${file}`, height);
 });
-const adding = new Adding(byId('adding'), editor, pictures, () => shipped);
+const ownPictures = new OwnPictures(byId('own-picture'), editor, own, (text) => toast(text));
+const adding = new Adding(byId('adding'), editor, pictures, {
+  readShipped: () => shipped,
+  ownPictures,
+});
 const palette = new Palette(byId('palette'), editor, pictures, {
   add: (what) => {
     if (what === 'blocks') adding.block();
@@ -112,6 +125,12 @@ const tour = new Tour(byId('tour'), { scene, caster, isWalking, find: byId });
 
 // ---- The bar
 
+const playable = new URL(location.href).searchParams.get('scene');
+if (playable !== null)
+  byId('home').search = new URLSearchParams({
+    scene: playable,
+    ...(world.home?.at === undefined ? {} : { live: 1 }),
+  });
 byId('title').value = scene.value.title ?? '';
 byId('title').addEventListener('change', ({ target }) =>
   history.do('Rename', [{ path: ['title'], value: target.value || undefined }]),
@@ -148,6 +167,7 @@ const actions = {
     editor.release();
   },
   cancel: () => (flatView() ?? editor).cancel(),
+  save: () => saveBar.save(),
 };
 byId('undo').addEventListener('click', actions.undo);
 byId('redo').addEventListener('click', actions.redo);
@@ -282,31 +302,51 @@ addEventListener('click', () => tour.look()); // a dialog may be open now
 
 // ---- Keeping
 
-scene.listen(() => {
-  if (scene.mistake === null) kept.keep(scene.text, own);
+const saving = new Saving(scene, history, {
+  ...{ home: world.home, form: world.form, ...beginning },
+  choose: conflictDialog(byId('conflict'), (text) => saveBar.saveCopy(text)),
 });
+const saveBar = new SaveBar({ scene, saving, world, ownPictures, tell: toast });
+const keep = () => {
+  if (scene.mistake === null) kept.keep(scene.text, ownPictures.kept, saving.base);
+};
+scene.listen(keep);
+saving.listen(keep);
 kept.listen((what) => {
   byId('kept').textContent = {
     kept: 'Kept in this browser.',
     failed: 'This browser keeps nothing: save the scene before you close the page.',
-    elsewhere: 'This world is open in another tab, too: the one that changes it last wins.',
   }[what];
-  if (what === 'elsewhere') toast('This world is open in another tab, too.');
 });
-shareDialog(byId('share'), byId('open-share'), { scene, own, world });
-const beginAnew = async () => {
-  await kept.forget();
-  location.reload();
-};
-openDialog(byId('files'), byId('open-files'), beginAnew, {
+new OneTab(world.name, byId('other-tab'), {
+  flush: () => kept.write(),
+  reload: () => saveBar.leave(() => location.reload()),
+  copy: async () => {
+    const name = `${scene.value.title ?? 'world'} copy`;
+    const query = await keepOpened(name, { text: scene.text, pictures: ownPictures.kept });
+    saveBar.leave(() => location.assign(query));
+  },
+});
+shareDialog(byId('share'), byId('open-share'), { scene, own, ownPictures, world, saveBar });
+openDialog(byId('files'), byId('open-files'), {
   importing: byId('import'),
   readShipped: () => shipped,
   readPicture,
+  leave: (go) => saveBar.leave(go),
+  takePictures(files) {
+    const takes = ownPictures.takes(files);
+    if (takes) ownPictures.add(files);
+    return takes;
+  },
+  async beginAnew() {
+    await kept.forget();
+    saveBar.leave(() => location.reload());
+  },
 });
 keyHelp(byId('keys'), byId('open-keys'), kTools);
 listenToKeys(actions, camera, kTools, { isWalking });
 
-if (before !== null && before.text !== world.text) toast('Your world is as you left it.');
+if (beginning.text !== world.text) toast('Your world is as you left it.');
 if (world.isStranger && before === null)
   toast('A world from a link. What you change stays in this browser.');
 
@@ -328,8 +368,9 @@ function start() {
   caster.look({ ...view, z: view.z + 1.2, flying: true });
   document.body.dataset.state = 'ready';
   tour.begin({ once: !new URL(location.href).searchParams.has('tour') });
+  saving.settle().catch((error) => toast(error.message));
   // For the browser's console, and for tests.
-  window.slicecastEditor = { scene, history, editor, sync, caster };
+  window.slicecastEditor = { scene, history, editor, sync, caster, saving };
 }
 
 // ---- Small things

@@ -3,20 +3,25 @@
 //
 //     const world = await openWorld(new URL(location.href));
 //     {name, text, isStranger}                // `name`: under which it is kept
-//     readPicture(own, file)                  // the bytes of a picture of the scene, or null
+//     {home, form, tag, isRead}               // if it has a file: see saving.js; `isRead`: now
+//     readPicture(own, file, world)           // the bytes of a picture of the scene, or null
 //
-// edit.html?scene=castle, ?template=cave, ?file=mine (see open-dialog.js), #world=... (a
-// stranger's), or nothing. With &tour the first steps are shown again.
+// edit.html?scene=castle, ?scene=-/scene/mine.json (that of tools/play), ?template=cave, ?file=mine
+// (see world-store.js), #world=... (a stranger's), or nothing. With &tour the first steps are shown
+// again.
 
 import { fetchBytes } from '../engine/fetch-bytes.js';
 import { kHome } from '../engine/home.js';
-import { Autosave } from './files/autosave.js';
+import { pickedFile, servedFile } from './files/file-homes.js';
 import { templates } from './files/templates.js';
+import { textIn } from './files/text-form.js';
 import { isWorldLink, textOf } from './files/world-link.js';
+import { readWorld } from './files/world-store.js';
 import { printed } from './json-text.js';
 
 const kScenes = new URL('scenes/', kHome);
 const kName = /^[\w-]+$/;
+const kServed = /^-\/scene\/[^/\\]+$/;
 
 export async function openWorld(address) {
   const wanted = address.searchParams;
@@ -25,6 +30,10 @@ export async function openWorld(address) {
     return { name: `link ${hashOf(address.hash)}`, text, isStranger: true };
   }
   const scene = wanted.get('scene');
+  if (scene !== null && kServed.test(scene)) {
+    const at = `-/scene/${encodeURIComponent(scene.slice('-/scene/'.length))}`;
+    return ofFile(await servedFile(at));
+  }
   if (scene !== null) {
     if (!kName.test(scene))
       throw new Error(
@@ -35,10 +44,16 @@ export async function openWorld(address) {
   }
   const file = wanted.get('file');
   if (file !== null) {
-    const text = (await new Autosave(`file ${file}`).read())?.text;
-    if (text === undefined)
-      throw new Error(`This browser has no world "${file}". Open its file again.`);
-    return { name: `file ${file}`, text, isStranger: false };
+    const kept = await readWorld(`file ${file}`);
+    if (kept === null) throw new Error(`This browser has no world "${file}". Open its file again.`);
+    const { text, base = {} } = kept;
+    const home = base.handle === undefined ? null : pickedFile(base.handle);
+    const now = (await home?.ifReadable()) ?? null;
+    const { form, tag } = base;
+    return {
+      ...{ name: `file ${file}`, text, isStranger: false, home, form, tag },
+      ...(now === null ? {} : { ...textIn(now.bytes), tag: now.tag, isRead: true }),
+    };
   }
   const name = wanted.get('template') ?? templates[0].name;
   const template = templates.find((one) => one.name === name);
@@ -53,6 +68,18 @@ export async function openWorld(address) {
   };
 }
 
+async function ofFile(home) {
+  const { bytes, tag } = await home.read();
+  return {
+    name: `served ${home.id}`,
+    isStranger: false,
+    home,
+    tag,
+    isRead: true,
+    ...textIn(bytes),
+  };
+}
+
 // Each link has a name of its own, so that what was made of one is there again.
 function hashOf(text) {
   let [one, other] = [0x811c9dc5, 0x1b873593];
@@ -63,11 +90,20 @@ function hashOf(text) {
   return [one, other].map((part) => (part >>> 0).toString(16)).join('');
 }
 
-// Pictures of the world itself come first; then the shipped ones, and no others.
-export function readPicture(own, file) {
+// Whatever the scene names, only the server of tools/play is asked.
+async function pictureBeside(file, scene) {
+  const address = new URL(file, scene);
+  if (!address.href.startsWith(new URL('../', scene).href)) return null;
+  return fetchBytes(address).catch(() => null);
+}
+
+// Pictures of the world itself come first; then those beside its file, if tools/play serves them;
+// then the shipped ones, and no others.
+export async function readPicture(own, file, { home } = {}) {
   const mine = own.get(file);
-  if (mine !== undefined) return Promise.resolve(mine);
-  if (!/^\.\.\/(textures|see-through|sheets|sprites)\/[\w-]+\.png$/.test(file))
-    return Promise.resolve(null);
+  if (mine !== undefined) return mine;
+  const beside = home?.at === undefined ? null : await pictureBeside(file, home.at);
+  if (beside !== null) return beside;
+  if (!/^\.\.\/(textures|see-through|sheets|sprites)\/[\w-]+\.png$/.test(file)) return null;
   return fetchBytes(new URL(file, kScenes));
 }

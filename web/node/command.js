@@ -1,20 +1,28 @@
 #!/usr/bin/env node
-// The command of the package: makes scenes of maps from elsewhere.
+// The command of the package: makes scenes of maps from elsewhere, and HTML files of scenes.
 //
 //     npx slicecast import maps/town.tmx -o town.json
+//     npx slicecast html town.json -o town.html
 //
-// It reads FILE and what that names in its folder, and writes the scene and its pictures, shipped
-// ones too, beside each other. The exit status is 0, 1 after an error, 2 if it was called wrongly.
+// `import` reads FILE and what that names in its folder, and writes the scene and its pictures,
+// shipped ones too, beside each other. `html` writes one file that plays the scene from a disk. The
+// exit status is 0, 1 after an error, 2 if it was called wrongly.
 
+import { Buffer } from 'node:buffer';
 import { mkdir, readFile, realpath, stat, writeFile } from 'node:fs/promises';
 import path from 'node:path';
 import process from 'node:process';
 import { parseArgs } from 'node:util';
 import { fileURLToPath } from 'node:url';
+import { deflateRawSync } from 'node:zlib';
 
+import { htmlFile } from '../edit/files/html-file.js';
+import { textIn } from '../edit/files/text-form.js';
+import { Engine } from '../engine/engine.js';
 import { kMostFileBytes, tooLong } from '../engine/limits.js';
 import { isShippedFile } from '../engine/source-parts.js';
 import { ImportError, makeScene, readForeign } from '../edit/import/index.js';
+import { readEngine } from './engine-files.js';
 import { load, SceneError } from './index.js';
 
 const kUsage = `slicecast import FILE [-o SCENE] [--root FOLDER] [--force]
@@ -25,6 +33,14 @@ numbers or characters. It lists what it could not take.
   -o SCENE       the scene to write; NAME-scene.json in this folder if left out
   --root FOLDER  the folder with all files that the map may name; that of FILE if left out
   --force        overwrites files
+
+slicecast html SCENE [-o FILE] [--force]
+
+Makes one HTML file that plays the scene from a disk, without a server. Its pictures are looked for
+beside it, then among the shipped ones.
+
+  -o FILE        the file to write; NAME.html in this folder if left out
+  --force        overwrites the file
 `;
 const kOptions = {
   output: { type: 'string', short: 'o' },
@@ -46,12 +62,16 @@ function readWords() {
   const { values, positionals } = words;
   if (values.help) return { help: true };
   const [command, file, ...more] = positionals;
-  if (command !== 'import') throw new UsageError(`found ${command ?? 'nothing'}, expected import`);
+  if (!Object.hasOwn(kCommands, command ?? ''))
+    throw new UsageError(`found ${command ?? 'nothing'}, expected import or html`);
   if (file === undefined || more.length > 0)
     throw new UsageError(`found ${positionals.length - 1} files, expected one`);
   const name = path.basename(file).replace(/\.\w+$/, '');
-  const { output = `${name}-scene.json`, root = path.dirname(file), force } = values;
-  return { file, output, root, force };
+  if (command === 'html' && values.root !== undefined)
+    throw new UsageError('found --root, which html does not take');
+  const { ending } = kCommands[command];
+  const { output = `${name}${ending}`, root = path.dirname(file), force } = values;
+  return { command, file, output, root, force };
 }
 
 async function bytesOf(file) {
@@ -131,6 +151,36 @@ async function importMap(words) {
   process.stdout.write(`${lines.map(printable).join('\n')}\n`);
 }
 
+// The scene is loaded first, so that no file is made of one with faults.
+async function makeHtml(words) {
+  const output = path.resolve(words.output);
+  if (output === path.resolve(words.file))
+    throw new UsageError('the HTML file would replace the scene');
+  const folder = path.dirname(path.resolve(words.file));
+  const { text } = textIn(await bytesOf(words.file));
+  const readPicture = async (file) => {
+    const beside = await bytesOf(path.join(folder, file)).catch(() => null);
+    if (beside !== null || !isShippedFile(file)) return beside;
+    return bytesOf(path.join(kPackage, 'scenes', file)).catch(() => null);
+  };
+  const engine = await Engine.create({ files: await readEngine('auto') });
+  const source = { name: words.file, readText: () => new TextEncoder().encode(text) };
+  const faults = await engine.loadScene({ ...source, readFile: readPicture });
+  engine.stop();
+  if (faults.length > 0) throw new SceneError('scene', `${words.file} has faults:`, faults);
+  const player = await readFile(path.join(kPackage, 'edit/player.txt'), 'utf8');
+  const deflate = (bytes) => deflateRawSync(bytes, { level: 9 });
+  const html = await htmlFile({ player, text, readPicture, deflate });
+  await write([[output, html]], words.force);
+  const size = Math.ceil(Buffer.byteLength(html) / 1024);
+  process.stdout.write(`${printable(`Wrote ${words.output}: ${size} KB.`)}\n`);
+}
+
+const kCommands = {
+  import: { run: importMap, ending: '-scene.json' },
+  html: { run: makeHtml, ending: '.html' },
+};
+
 // Names of strangers may hold what a terminal obeys.
 function printable(text) {
   return text.replaceAll(/\p{Cc}+/gu, ' ');
@@ -139,7 +189,7 @@ function printable(text) {
 try {
   const words = readWords();
   if (words.help) process.stdout.write(kUsage);
-  else await importMap(words);
+  else await kCommands[words.command].run(words);
 } catch (error) {
   const isUsage = error instanceof UsageError;
   const isTold = isUsage || error instanceof ImportError || error instanceof SceneError;

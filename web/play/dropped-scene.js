@@ -41,6 +41,15 @@ function sceneIn(text) {
 // A source for the element's property of that name.
 function sourceOf(scene, entries) {
   const folder = scene.path.split('/').slice(0, -1);
+  // The bytes of one of the files, or null.
+  const ownFile = async (name) => {
+    const path = joinPath(folder, name);
+    const baseName = name.split('/').pop();
+    const entry =
+      entries.find((other) => other.path === path) ??
+      entries.find((other) => other.file.name === baseName);
+    return entry === undefined ? null : bytesOf(entry.file, kMostFileBytes);
+  };
   return {
     name: scene.file.name,
     readText: () =>
@@ -52,16 +61,9 @@ function sourceOf(scene, entries) {
           error.code,
         );
       }),
-    async readFile(name) {
-      const path = joinPath(folder, name);
-      const baseName = name.split('/').pop();
-      const entry =
-        entries.find((other) => other.path === path) ??
-        entries.find((other) => other.file.name === baseName);
-      return entry === undefined
-        ? fetchBytes(new URL(name, sceneAddress('index')))
-        : bytesOf(entry.file, kMostFileBytes);
-    },
+    ownFile,
+    readFile: async (name) =>
+      (await ownFile(name)) ?? fetchBytes(new URL(name, sceneAddress('index'))),
   };
 }
 

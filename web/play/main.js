@@ -26,7 +26,7 @@ import { padMenu } from './pad-menu.js';
 import { listenForPageKeys } from './page-keys.js';
 import { addPageParts } from './page-parts.js';
 import { PageStatus } from './page-status.js';
-import { listScenes } from './scene-list.js';
+import { editAddress, listScenes } from './scene-list.js';
 import { SceneMenu } from './scene-menu.js';
 import { Settings } from './settings.js';
 import { ShareDialog } from './share.js';
@@ -109,9 +109,14 @@ function start() {
     dialogs.opens('scenes', () => menu.open(address.reference));
     status.scenes = list;
     const edit = find('open-edit');
-    edit.addEventListener('click', () => {
-      const shipped = list.find(({ file }) => file === address.reference);
-      edit.href = `edit.html${shipped ? `?scene=${shipped.file.replace(/\.json$/, '')}` : ''}`;
+    edit.addEventListener('click', (event) => {
+      const { reference, isLive } = address;
+      const isKnown = isLive || list.some(({ file }) => file === reference);
+      if (reference !== null) edit.href = isKnown ? editAddress(reference) : 'edit.html';
+      else if (caster.source !== null) {
+        event.preventDefault();
+        editDropped(caster.source).catch((error) => status.fail(error));
+      }
     });
     if (address.isPlain) opening.begin(list[0]?.flight);
   }
@@ -126,6 +131,11 @@ function start() {
 
   // For the browser's console, and for tests.
   window.slicecast = caster;
+}
+
+async function editDropped(source) {
+  const { handOver } = await import('../edit/hand-over.js');
+  location.assign(`edit.html${await handOver(source)}`);
 }
 
 // A click on the picture plays and captures the mouse, unless a recording is replayed, which the

@@ -43,6 +43,13 @@ export function referenceOf(address) {
   }
 }
 
+// The editor with one of the page's scenes in it, or that of tools/play.
+export function editAddress(reference) {
+  const isOwn = !reference.includes('/');
+  const scene = isOwn ? reference.replace(/\.json$/i, '') : reference;
+  return `edit.html?scene=${encodeURIComponent(scene)}`;
+}
+
 export function tourAddress(name) {
   return new URL(`tours/${name}.txt`, document.baseURI);
 }

@@ -1,10 +1,10 @@
-// The menu of scenes: a card for each, with its first view and, if there is one, a link to its
-// tour.
+// The menu of scenes: a card for each, with its first view and links to the editor and, if there is
+// one, to its tour.
 //
 //     const menu = new SceneMenu(dialog, scenes, {missing, addressOf, onChoose});
 //     menu.open('castle.json');      the current scene
 
-import { posterAddress } from './scene-list.js';
+import { editAddress, posterAddress } from './scene-list.js';
 
 export class SceneMenu {
   // `scenes` is the list of scene-list.js; `missing` is the Trouble if it could not be loaded, else
@@ -64,14 +64,22 @@ function card(scene, address) {
   const about = document.createElement('p');
   about.textContent = scene.about;
   link.append(view, title, about);
-  item.append(link);
+  const ways = document.createElement('div');
+  ways.className = 'ways';
   if (scene.tour) {
-    const tour = document.createElement('a');
-    tour.className = 'tour';
-    tour.href = `?tour=${encodeURIComponent(scene.file.replace(/\.json$/i, ''))}`;
-    tour.textContent = 'Take the tour';
-    tour.setAttribute('aria-label', `Take the tour: ${scene.title}`);
-    item.append(tour);
+    const name = encodeURIComponent(scene.file.replace(/\.json$/i, ''));
+    ways.append(way('tour', `?tour=${name}`, 'Take the tour', scene));
   }
+  ways.append(way('edit', editAddress(scene.file), 'Edit', scene));
+  item.append(link, ways);
   return { item, link };
+}
+
+function way(kind, address, text, { title }) {
+  const link = document.createElement('a');
+  link.className = kind;
+  link.href = address;
+  link.textContent = text;
+  link.setAttribute('aria-label', `${text}: ${title}`);
+  return link;
 }

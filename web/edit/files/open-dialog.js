@@ -3,14 +3,17 @@
 // back works.
 
 import { listScenes, posterAddress } from '../../play/scene-list.js';
-import { Autosave } from './autosave.js';
 import { printed } from '../json-text.js';
+import { tagOf } from './file-homes.js';
 import { openFiles, openText } from './open-file.js';
 import { templates } from './templates.js';
+import { keepOpened } from './world-store.js';
 
-// `beginAnew` opens the present world as it was; `importing` is the dialog for maps from elsewhere;
-// the rest gives shipped pictures to it.
-export function openDialog(dialog, button, beginAnew, { importing, readShipped, readPicture }) {
+// `beginAnew` opens the present world as it was; `takePictures(files)` returns true if it takes
+// what was dropped; `leave(go)` goes to another page; `importing` is the dialog for maps from
+// elsewhere, and the rest gives shipped pictures to it.
+export function openDialog(dialog, button, parts) {
+  const { beginAnew, takePictures, leave, importing, readShipped, readPicture } = parts;
   let isFilled = false;
   let missing = null; // {name, reread} of a map that could not be read without further files
   const told = dialog.querySelector('#open-told');
@@ -19,7 +22,7 @@ export function openDialog(dialog, button, beginAnew, { importing, readShipped, 
   Object.assign(input, { type: 'file', multiple: true, hidden: true });
   dialog.append(input);
   dialog.querySelector('#anew').addEventListener('click', beginAnew);
-  dialog.querySelector('#open-file').addEventListener('click', () => input.click());
+  dialog.querySelector('#open-file').addEventListener('click', pick);
   dialog
     .querySelector('#open-pasted')
     .addEventListener('click', () => take(() => openText(pasted.value)));
@@ -32,10 +35,26 @@ export function openDialog(dialog, button, beginAnew, { importing, readShipped, 
   addEventListener('drop', (event) => {
     event.preventDefault();
     const files = [...event.dataTransfer.files];
-    if (files.length === 0 || importing.open) return;
+    if (files.length === 0 || document.querySelector('dialog[open]:not(#files)') !== null) return;
+    if (!dialog.open && takePictures(files)) return;
+    // Asked for at once: the list is emptied after this event.
+    const handles = [...event.dataTransfer.items].map((item) => item.getAsFileSystemHandle?.());
     if (!dialog.open) dialog.showModal();
-    take(() => opened(files));
+    take(() => opened(files), { files, handles: Promise.all(handles) });
   });
+
+  // Where pages may write files, the file is remembered, to be saved to.
+  async function pick() {
+    if (globalThis.showOpenFilePicker === undefined) return input.click();
+    try {
+      const handles = await showOpenFilePicker({ multiple: true });
+      const files = await Promise.all(handles.map((handle) => handle.getFile()));
+      take(() => opened(files), { files, handles });
+    } catch (error) {
+      if (error.name !== 'AbortError')
+        told.replaceChildren(`This cannot be opened. ${error.message}`);
+    }
+  }
 
   // Files that hold no map may be those that the last one wanted.
   async function opened(files) {
@@ -50,16 +69,26 @@ export function openDialog(dialog, button, beginAnew, { importing, readShipped, 
     }
   }
 
-  async function take(open) {
+  async function take(open, { files = [], handles = [] } = {}) {
     told.replaceChildren('Opening …');
     try {
       const world = await open();
       told.replaceChildren();
-      const { text, pictures } = world.proposal === undefined ? world : await imported(world);
+      const isMap = world.proposal !== undefined;
+      const { text, pictures } = isMap ? await imported(world) : world;
       if (text === null) return;
-      JSON.parse(text);
-      const name = await keep(world, text, pictures);
-      location.assign(new URL(`?file=${encodeURIComponent(name)}`, location.href));
+      const base = { form: world.form, isSaved: false };
+      const handle = (await handles)[files.indexOf(world.scene)];
+      if (handle?.kind === 'file' && handle.createWritable !== undefined) {
+        const tag = await tagOf(new Uint8Array(await world.scene.arrayBuffer()));
+        Object.assign(base, { handle, tag, isSaved: true });
+      }
+      const query = await keepOpened(world.name, {
+        text,
+        pictures,
+        base: isMap ? undefined : base,
+      });
+      leave(() => location.assign(new URL(query, location.href)));
     } catch (error) {
       missing = error.missing ?? missing;
       told.replaceChildren(`This cannot be opened. ${error.message}`);
@@ -74,17 +103,6 @@ export function openDialog(dialog, button, beginAnew, { importing, readShipped, 
     const made = await importDialog(importing, world, { shipped, readPicture });
     if (made === null) return { text: null };
     return { text: `${printed(made.scene, '')}\n`, pictures: made.pictures };
-  }
-
-  // A map from elsewhere begins a world of its own, whatever was made of it before.
-  async function keep({ name, proposal }, text, pictures) {
-    for (let count = 1; ; ++count) {
-      const own = count === 1 ? name : `${name} ${count}`;
-      const place = new Autosave(`file ${own}`);
-      if (proposal !== undefined && (await place.read()) !== null) continue;
-      await place.write(text, pictures);
-      return own;
-    }
   }
 
   button.addEventListener('click', async () => {
@@ -115,9 +133,7 @@ function card(title, query, picture) {
     button.append(image);
   }
   button.append(title);
-  button.addEventListener('click', () =>
-    location.assign(new URL(query, location.pathname, location.href)),
-  );
+  button.addEventListener('click', () => location.assign(new URL(query, location.href)));
   item.append(button);
   return item;
 }

@@ -1,32 +1,53 @@
 // Opens files from the visitor's computer as a world: a scene, a zip that was saved here, or a map
-// of another program with the files that it names. Takes files; gives {name, text, pictures} of a
-// scene, or {name, proposal, reread} of such a map, for import-dialog.js. Throws an Error in plain
-// words; changes nothing.
+// of another program with the files that it names. Takes files; gives {name, text, pictures, form,
+// scene} of a scene: `form` is that of text-form.js, `scene` the file itself, if it is one; or
+// {name, proposal, reread} of such a map, for import-dialog.js. Throws an Error in plain words;
+// changes nothing.
 //
-//     const world = await openFiles(input.files);
+//     const world = await openFiles([...input.files]);
 
 import { strFromU8, Unzip, UnzipInflate } from 'fflate';
+import { kMostFileBytes, kMostSceneBytes } from '../../engine/limits.js';
+import { textIn } from './text-form.js';
 
 const kMostBytes = 64 << 20; // of all files of a zip together, unpacked
+const kMostFiles = 4000; // of a zip
 const kMaps = /\.(tmx|tmj|ldtk)$/i;
 // Of programs and courses, which hold a matrix or rows
 const kTexts =
   /\.(txt|csv|map|cub|dat|c|h|cc|cpp|cs|go|java|js|kt|lua|mjs|py|rb|rs|swift|ts|zig)$/i;
+const kHidden = /(^|\/)(\.|__MACOSX\/)/; // what systems put beside one's files
 
 export async function openFiles(list) {
   const files = await filesOf(list);
   const [first] = files.keys();
   if (first === undefined) throw new Error('There is no file.');
-  const isZip = files.size === 1 && /\.zip$/i.test(first);
-  return ofFiles(isZip ? unpacked(files.get(first)) : files);
+  if (files.size === 1 && /\.zip$/i.test(first)) return ofFiles(unpacked(files.get(first)));
+  const world = await ofFiles(files);
+  const scene = [...list].find((file) => nameIn(file) === world.file);
+  return { ...world, scene };
 }
+
+const nameIn = (file) => file.webkitRelativePath || file.name;
 
 async function filesOf(list) {
   const files = new Map();
-  for (const file of list)
-    files.set(file.webkitRelativePath || file.name, new Uint8Array(await file.arrayBuffer()));
+  for (const file of list) {
+    checkSize(nameIn(file), file.size);
+    files.set(nameIn(file), new Uint8Array(await file.arrayBuffer()));
+  }
   return files;
 }
+
+function checkSize(name, size) {
+  const most = /\.json$/i.test(name) ? kMostSceneBytes : kMostFileBytes;
+  if (size > most)
+    throw new Error(
+      `${name} is too large: found ${megabytes(size)}, expected ${megabytes(most)} at most.`,
+    );
+}
+
+const megabytes = (bytes) => `${Math.ceil(bytes / 2 ** 20)} MB`;
 
 function ofFiles(files) {
   const names = [...files.keys()];
@@ -60,14 +81,36 @@ export function openText(text) {
 
 function ofScene(files) {
   const names = [...files.keys()];
-  const name = names.find((one) => /\.json$/i.test(one));
-  if (name === undefined)
+  const file = names.find((one) => /\.json$/i.test(one));
+  if (file === undefined)
     throw new Error(
-      `Found ${names.slice(0, 3).join(', ')}, expected a scene (.json), a zip, or a map (.tmx, .tmj, .ldtk).`,
+      `Found ${names.slice(0, 3).join(', ') || 'nothing'}, expected a scene (.json), a zip, or a map (.tmx, .tmj, .ldtk).`,
     );
-  const text = strFromU8(files.get(name));
-  files.delete(name);
-  return { name: nameOf(name), text, pictures: files };
+  const { text, form } = textIn(files.get(file));
+  checkScene(file, text);
+  // The scene names them from its own folder.
+  const folder = file.split('/').slice(0, -1);
+  const pictures = new Map();
+  for (const [name, bytes] of files)
+    if (name !== file) pictures.set(relative(name.split('/'), folder), bytes);
+  return { name: nameOf(file), text, form, pictures, file };
+}
+
+function relative(steps, folder) {
+  let same = 0;
+  while (same < folder.length && steps[same] === folder[same]) ++same;
+  return [...folder.slice(same).map(() => '..'), ...steps.slice(same)].join('/');
+}
+
+function checkScene(file, text) {
+  let value = null;
+  try {
+    value = JSON.parse(text);
+  } catch (error) {
+    throw new Error(`${file} is no JSON: ${error.message}`, { cause: error });
+  }
+  if (!Array.isArray(value?.maps) || value.maps.length === 0)
+    throw new Error(`${file} has no maps, expected a scene.`);
 }
 
 async function ofMap(map, files) {
@@ -109,7 +152,15 @@ const nameOf = (file) =>
 function unpacked(bytes) {
   const files = new Map();
   let size = 0;
+  let count = 0;
   const unzip = new Unzip((file) => {
+    count += 1;
+    if (count > kMostFiles)
+      throw new Error(
+        `The zip has more than ${kMostFiles} files, expected a scene and its pictures.`,
+      );
+    checkName(file.name);
+    const isWanted = !file.name.endsWith('/') && !kHidden.test(file.name);
     const parts = [];
     file.ondata = (error, part, isLast) => {
       if (error) throw new Error(`The zip is damaged: ${error.message}.`);
@@ -117,15 +168,22 @@ function unpacked(bytes) {
       if (size > kMostBytes)
         throw new Error('The zip is too large: found more than 64 MB, expected less.');
       parts.push(part);
-      if (isLast) files.set(file.name, joined(parts));
+      if (isLast && isWanted) files.set(file.name, joined(parts));
     };
     file.start();
   });
   unzip.register(UnzipInflate);
-  const step = 1 << 16; // so that it stops soon after the limit
+  const step = 1 << 12; // so that it stops soon after the limit
   for (let at = 0; at < bytes.length; at += step)
     unzip.push(bytes.subarray(at, at + step), at + step >= bytes.length);
   return files;
+}
+
+// Such names lead out of the folder that a zip is unpacked into.
+function checkName(name) {
+  const steps = name.split('/');
+  if (/[\\\0]|^[a-z]:/i.test(name) || steps[0] === '' || steps.includes('..'))
+    throw new Error(`The zip names a file "${name}", expected one in its own folder.`);
 }
 
 function joined(parts) {

@@ -1,52 +1,91 @@
-// The dialog that saves the world and writes a link to it.
+// The dialog that saves the world as files, and shows it as a link, a tag and a frame.
 // Takes the document and the world's own pictures; gives files to the browser.
 
-import { strToU8, zipSync } from 'fflate';
+import { deflateSync, strToU8, zipSync } from 'fflate';
+import { kHome } from '../../engine/home.js';
+import { readPicture } from '../open-world.js';
+import { download } from './download.js';
+import { htmlFile } from './html-file.js';
+import { frameFor, tagFor } from './share-texts.js';
 import { linkOf } from './world-link.js';
 
-export function shareDialog(dialog, button, { scene, own, world }) {
+const kPlayer = new URL('edit/player.txt', kHome);
+const kShownCopied = 2000; // milliseconds
+
+export function shareDialog(dialog, button, { scene, own, ownPictures, world, saveBar }) {
   const find = (id) => dialog.querySelector(`#${id}`);
+  const tell = (text) => (find('share-told').textContent = text);
+  const name = () => saveBar.name;
+
   button.addEventListener('click', () => {
-    const link =
-      scene.mistake === null && own.size === 0 ? linkOf(scene.text, location.href) : null;
-    find('share-link').value = link ?? '';
-    find('share-link').disabled = link === null;
-    dialog.querySelector('[data-copy]').disabled = link === null;
-    find('share-about').textContent =
-      link !== null
-        ? 'The link holds the whole world. Whoever opens it can walk in it, and change a copy.'
-        : own.size > 0
-          ? 'A world with its own pictures has no link: save a zip.'
-          : 'This world is too large for a link: save the scene, or a zip.';
-    find('save-zip').hidden = own.size === 0;
+    tell('');
+    showLink();
+    const about = { name: name(), title: scene.value.title ?? '' };
+    find('share-tag').value = tagFor(about);
+    find('share-frame').value = frameFor(about);
+    const pictures = ownPictures.named.size === 0 ? '' : ' and its own pictures';
+    find('tag-about').textContent =
+      `Needs Slicecast’s folder on your site as slicecast, with ${name()}.json${pictures} in slicecast/scenes.`;
+    find('frame-about').textContent =
+      `Needs the same, but no script in your page. A frame may also show the one HTML file.`;
     dialog.showModal();
   });
-  dialog.querySelector('[data-copy]').addEventListener('click', async ({ target }) => {
-    const field = find('share-link');
-    field.select();
-    try {
-      await navigator.clipboard.writeText(field.value);
-    } catch {
-      document.execCommand('copy'); // without the permission
-    }
-    target.textContent = 'Copied';
-    setTimeout(() => (target.textContent = 'Copy'), 2000);
-  });
-  const name = () => (scene.value.title ?? world.name).replace(/[^\w-]+/g, '-').toLowerCase();
-  find('save-scene').addEventListener('click', () =>
-    save(`${name()}.json`, new Blob([scene.text], { type: 'application/json' })),
-  );
+
+  function showLink() {
+    const hasPictures = ownPictures.named.size > 0;
+    const link = scene.mistake === null && !hasPictures ? linkOf(scene.text, location.href) : null;
+    find('share-link').value = link ?? '';
+    find('share-link').disabled = link === null;
+    dialog.querySelector('[data-copy=share-link]').disabled = link === null;
+    find('share-about').textContent =
+      link !== null
+        ? 'Needs nothing: it holds the whole world. Whoever opens it can walk in it, and change a copy.'
+        : hasPictures
+          ? 'A world with its own pictures has no link: save a zip, or the HTML file.'
+          : 'This world is too large for a link: save a file.';
+  }
+
+  for (const copy of dialog.querySelectorAll('[data-copy]'))
+    copy.addEventListener('click', async () => {
+      const field = find(copy.dataset.copy);
+      field.select();
+      try {
+        await navigator.clipboard.writeText(field.value);
+      } catch {
+        document.execCommand('copy'); // without the permission
+      }
+      copy.textContent = 'Copied';
+      setTimeout(() => (copy.textContent = 'Copy'), kShownCopied);
+    });
+
+  find('save-scene').addEventListener('click', () => saveBar.saveAs());
   find('save-zip').addEventListener('click', () => {
     const files = { [`${name()}.json`]: strToU8(scene.text) };
-    for (const [file, bytes] of own) files[file] = bytes;
-    save(`${name()}.zip`, new Blob([zipSync(files)], { type: 'application/zip' }));
+    for (const [file, bytes] of ownPictures.named) files[file] = bytes;
+    download(`${name()}.zip`, zipSync(files), 'application/zip');
+    tell(`Saved ${name()}.zip.`);
+  });
+  find('save-html').addEventListener('click', async ({ currentTarget }) => {
+    currentTarget.disabled = true;
+    tell('Making the file …');
+    try {
+      const text = await htmlFile({
+        player: await readPlayer(),
+        text: scene.text,
+        readPicture: (file) => readPicture(own, file, world),
+        deflate: (bytes) => deflateSync(bytes, { level: 9, mem: 12 }),
+      });
+      download(`${name()}.html`, text, 'text/html');
+      tell(`Saved ${name()}.html: ${Math.ceil(text.length / 1024)} KB.`);
+    } catch (error) {
+      tell(`The file cannot be made. ${error.message}`);
+    }
+    currentTarget.disabled = false;
   });
 }
 
-function save(name, blob) {
-  const link = document.createElement('a');
-  link.href = URL.createObjectURL(blob);
-  link.download = name;
-  link.click();
-  setTimeout(() => URL.revokeObjectURL(link.href), 60_000);
+async function readPlayer() {
+  const answer = await fetch(kPlayer).catch(() => null);
+  if (!answer?.ok) throw new Error('The player could not be loaded: is the page offline?');
+  return answer.text();
 }

@@ -1,0 +1,167 @@
+// Saves the world into its file, and knows whether the file has what the document has.
+// Takes the document, its history and a file (file-homes.js); gives bytes to the file. Changes the
+// document only when the visitor wants the file's text instead.
+//
+//     const saving = new Saving(scene, history, { home, form, tag, savedText, choose });
+//     await saving.save();         // 'saved', 'taken', 'kept'; throws an Error in plain words
+//     saving.isUnsaved             // false without a file
+//     saving.listen(() => ...)     // that, or the file, may be another now
+//     saving.base                  // what is kept with the text in the browser
+//     await saving.settle()        // takes what others have saved; asks if there are changes here
+//     beginningOf(world, kept)     // {text, savedText, tag}: of the file, or as it was kept here
+//
+// `choose({name, mine, theirs})` asks what to do with a file that has changed outside: 'mine',
+// 'theirs' or null.
+
+import { Changed } from './file-homes.js';
+import { bytesIn, kPlainForm, textIn } from './text-form.js';
+
+const kDelay = 100; // milliseconds: comparing long texts is no part of a stroke
+
+// `world` is that of open-world.js, `kept` what the browser has of it, or null.
+export function beginningOf({ text, tag, home, isRead }, kept) {
+  if (kept === null) return { text, savedText: text, tag };
+  const { isSaved = false, tag: keptTag = null } = kept.base ?? {};
+  if (!home) return { text: kept.text, savedText: null, tag: null };
+  if (!isRead) return { text: kept.text, savedText: isSaved ? kept.text : null, tag: keptTag };
+  if (isSaved || kept.text === text) return { text, savedText: text, tag };
+  return { text: kept.text, savedText: keptTag === tag ? text : null, tag: keptTag };
+}
+
+export class Saving {
+  #scene;
+  #history;
+  #choose;
+  #home;
+  #form;
+  #tag;
+  #saved; // the text that the file has
+  #left = null; // the tag of what the visitor did not want to hear of again
+  #isSaving = false; // or asking
+  #timer = 0;
+  #listeners = [];
+
+  constructor(scene, history, { home = null, form, tag = null, savedText = null, choose }) {
+    this.#scene = scene;
+    this.#history = history;
+    this.#choose = choose;
+    this.#home = home;
+    this.#form = form ?? kPlainForm;
+    this.#tag = tag;
+    this.#saved = savedText;
+    scene.listen(() => {
+      clearTimeout(this.#timer);
+      this.#timer = setTimeout(() => this.#tell(), kDelay);
+    });
+  }
+
+  listen(listener) {
+    this.#listeners.push(listener);
+  }
+
+  get home() {
+    return this.#home;
+  }
+
+  get isUnsaved() {
+    return this.#home !== null && this.#scene.text !== this.#saved;
+  }
+
+  // As a file holds it.
+  get bytes() {
+    return bytesIn(this.#scene.text, this.#form);
+  }
+
+  get base() {
+    const { isUnsaved } = this;
+    const handle = this.#home?.handle;
+    return { form: this.#form, tag: this.#tag, isSaved: !isUnsaved, ...(handle && { handle }) };
+  }
+
+  async save() {
+    if (this.#isSaving) return 'kept';
+    this.#isSaving = true;
+    try {
+      return await this.#save();
+    } finally {
+      this.#isSaving = false;
+      this.#tell();
+    }
+  }
+
+  // From now on the world has that file, if it can be written.
+  async saveTo(home) {
+    const before = { home: this.#home, tag: this.#tag };
+    this.#home = home;
+    this.#tag = null; // the visitor has agreed to replace what is there
+    try {
+      return await this.save();
+    } catch (error) {
+      this.#home = before.home;
+      this.#tag = before.tag;
+      this.#tell();
+      throw error;
+    }
+  }
+
+  async settle() {
+    if (this.#isSaving) return;
+    const theirs = (await this.#home?.ifReadable()) ?? null;
+    if (this.#isSaving || theirs === null) return;
+    if (theirs.tag === this.#tag || theirs.tag === this.#left) return;
+    const { text } = textIn(theirs.bytes);
+    if (this.isUnsaved && text !== this.#scene.text) {
+      this.#isSaving = true;
+      this.#left = theirs.tag;
+      await this.#ask(theirs).finally(() => (this.#isSaving = false));
+    } else this.#take(theirs, text);
+    this.#tell();
+  }
+
+  async #save() {
+    for (;;) {
+      const { mistake, text } = this.#scene;
+      if (mistake !== null)
+        throw new Error('The text has a mistake: mend it, then save. It is kept in this browser.');
+      try {
+        this.#tag = await this.#home.write(bytesIn(text, this.#form), this.#tag);
+        this.#saved = text;
+        return 'saved';
+      } catch (error) {
+        if (!(error instanceof Changed)) throw error;
+      }
+      const theirs = await this.#home.read();
+      if (textIn(theirs.bytes).text === text) {
+        this.#take(theirs, text);
+        return 'saved';
+      }
+      const choice = await this.#ask(theirs);
+      if (choice !== 'mine') return choice === 'theirs' ? 'taken' : 'kept';
+    }
+  }
+
+  async #ask(theirs) {
+    const { text } = textIn(theirs.bytes);
+    const choice = await this.#choose({
+      name: this.#home.name,
+      mine: this.#scene.text,
+      theirs: text,
+    });
+    if (choice === null) return null;
+    if (choice === 'theirs') this.#take(theirs, text);
+    if (choice === 'mine') this.#tag = theirs.tag; // what is there may be replaced now
+    return choice;
+  }
+
+  #take({ tag, bytes }, text) {
+    this.#tag = tag;
+    this.#saved = text;
+    this.#form = textIn(bytes).form;
+    this.#history.do(`Take ${this.#home.name}`, [{ text }]);
+  }
+
+  #tell() {
+    clearTimeout(this.#timer);
+    for (const listener of this.#listeners) listener();
+  }
+}
