@@ -33,6 +33,7 @@ const kModules = [
   'tools/thing',
   'forms/schema',
   'tools/strokes',
+  'turning',
 ];
 
 let modules = null;
