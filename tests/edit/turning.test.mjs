@@ -81,7 +81,12 @@ test('sides, corners, slopes, plans and faces turn clockwise', () => {
       },
       right,
     ),
-    { top: [0, 0.5], rise: 'north', plan: [0.8, 0.7, 1, 1], faces: { all: 'a', east: 'n', top: 't' } },
+    {
+      top: [0, 0.5],
+      rise: 'north',
+      plan: [0.8, 0.7, 1, 1],
+      faces: { all: 'a', east: 'n', top: 't' },
+    },
   );
   assert.deepEqual(composed(right, left), kStill);
   assert.deepEqual(composed(right, right), composed(...kMirrors));
@@ -102,7 +107,11 @@ test('motions along an axis change it, and their sign where it points the other 
   assert.deepEqual(turnedMotion(cart, right), { ...cart, along: 'y' });
   assert.deepEqual(turnedMotion(cart, left), { ...cart, along: 'y', to: -9 });
   const door = { along: 'y', moves: 'north', from: 0, to: 0.9 };
-  assert.deepEqual(turnedMotion(door, kTurns['north-south']), { ...door, moves: 'south', to: -0.9 });
+  assert.deepEqual(turnedMotion(door, kTurns['north-south']), {
+    ...door,
+    moves: 'south',
+    to: -0.9,
+  });
   const lift = { moves: 'top', to: 2 };
   assert.equal(turnedMotion(lift, right), lift);
 });

@@ -6,6 +6,7 @@
 //     const undoing = scene.apply([{ offset, length, content }]);   // in the order of the text
 //     scene.edits({ path: ['start', 'x'], value: 2.5 })             // such edits; see json-text.js
 //     scene.edits({ map: 0, cells: [{ layer: 1, x: 3, y: 4, sign: '#' }] })
+//     scene.edits({ values: [{ path, value }, ...] })               // several, but no removals
 //     scene.rows(0, 1)                                              // of a layer, as texts
 //     scene.listen(({ cells, isWhole, edits, undoing }) => ...)
 //
@@ -66,9 +67,9 @@ export class SceneDocument {
 
   // The edits that make a change.
   edits(change) {
-    return change.cells === undefined
-      ? editsToSet(this.#text, this.#tree, change.path, change.value, change)
-      : this.#cellEdits(change);
+    if (change.cells !== undefined) return this.#cellEdits(change);
+    if (change.values !== undefined) return this.#valueEdits(change.values);
+    return editsToSet(this.#text, this.#tree, change.path, change.value, change);
   }
 
   // Returns the edits that undo these.
@@ -187,6 +188,13 @@ export class SceneDocument {
     const { levels, floor, ceiling } = this.#value.maps[map];
     if (layer === 'floor') return floor.tiles;
     return layer === 'ceiling' ? ceiling.tiles : levels[layer];
+  }
+
+  // Values that do not lie within each other, set together: the text is read once.
+  #valueEdits(values) {
+    return values
+      .flatMap(({ path, value }) => editsToSet(this.#text, this.#tree, path, value))
+      .sort((one, other) => one.offset - other.offset);
   }
 
   // Each row's changed signs, as one edit for each run of neighbours.

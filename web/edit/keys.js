@@ -17,6 +17,19 @@ const kGroups = [
     ],
   ],
   [
+    'Select (M) and paste',
+    [
+      ['Ctrl A', 'select all blocks of the map; Escape selects none'],
+      ['Ctrl C, Ctrl X, Ctrl V', 'copy, cut, paste where you point, also in another tab'],
+      ['Delete', 'remove what is selected'],
+      ['N', 'fill it with the chosen block'],
+      ['Arrows', 'move it by a tile; Shift and up or down, by a level'],
+      ['U, I', 'turn clockwise, mirror; with Shift the other way'],
+      ['Page up, Page down', 'while dragging: more levels, as the wheel does'],
+      ['Shift K', 'save it as a stamp'],
+    ],
+  ],
+  [
     'Move',
     [
       ['W A S D, arrows', 'fly'],
@@ -66,10 +79,11 @@ export function listenToKeys(actions, camera, tools, { isWalking }) {
     if (ctrlKey || metaKey) {
       if (code === 'KeyZ') (shiftKey ? actions.redo : actions.undo)();
       else if (code === 'KeyY') actions.redo();
-      else return false;
+      else return actions.selectionKey(event);
       return true;
     }
     camera.isFast = shiftKey;
+    if (actions.selectionKey(event)) return true;
     if (/^[1-9]$/.test(key)) actions.digit(Number(key));
     else if (code === 'Delete' || code === 'Backspace') actions.remove();
     else if (code === 'Enter') {

@@ -26,10 +26,13 @@ export function kindOf(scene, map, sign) {
 }
 
 export function kindFor(scene, map, name, blueprint) {
-  const known = kindsOf(scene, map).find((kind) => isSame(kind.blueprint, blueprint));
+  const alike = kindsOf(scene, map).filter((kind) => isSame(kind.blueprint, blueprint));
+  const known = alike.find((kind) => kind.name === name) ?? alike[0];
   if (known !== undefined) return { sign: known.sign, name: known.name, changes: [] };
   const { blueprints = {} } = scene.value;
-  const same = Object.keys(blueprints).find((other) => isSame(blueprints[other], blueprint));
+  const same = [name, ...Object.keys(blueprints)].find(
+    (other) => Object.hasOwn(blueprints, other) && isSame(blueprints[other], blueprint),
+  );
   const chosen = same ?? freeName(name, blueprints);
   const sign = freeSign(scene, chosen);
   return {
@@ -75,4 +78,17 @@ function canonical(value) {
     .filter((key) => key !== 'comment')
     .sort();
   return `{${keys.map((key) => `${JSON.stringify(key)}:${canonical(value[key])}`)}}`;
+}
+
+// What a scene will have after changes of its names.
+export function draftOf(scene) {
+  const value = { ...scene.value };
+  return {
+    value,
+    keys: (path) => Object.keys(path.reduce((node, key) => node?.[key], value) ?? {}),
+    take(changes) {
+      for (const { path, value: entry } of changes)
+        value[path[0]] = { ...value[path[0]], [path[1]]: entry };
+    },
+  };
 }

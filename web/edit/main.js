@@ -21,17 +21,23 @@ import { PlanView } from './plan-view.js';
 import { Problems } from './problems.js';
 import { sizeOf } from './cells.js';
 import { textureOf } from './shapes.js';
+import { Selecting } from './selecting.js';
+import { askName } from './small-dialogs.js';
+import { Stamps } from './stamps.js';
 import { Sync } from './sync.js';
 import { iconOf } from './tool-icons.js';
 import { box } from './tools/box.js';
 import { fill } from './tools/fill.js';
+import { line } from './tools/line.js';
 import { paint } from './tools/paint.js';
 import { place } from './tools/place.js';
 import { replace } from './tools/replace.js';
+import { select } from './tools/select.js';
 import { shape } from './tools/shape.js';
+import { stamp } from './tools/stamp.js';
 import { thing } from './tools/thing.js';
 
-const kTools = [place, box, fill, replace, paint, shape, thing];
+const kTools = [place, line, box, fill, replace, paint, shape, thing, select, stamp];
 const byId = (id) => document.getElementById(id);
 
 const caster = byId('picture');
@@ -42,6 +48,7 @@ const scene = readScene(before?.text ?? world.text);
 const own = new Map(before?.pictures); // the world's own pictures: file -> bytes
 const history = new History(scene);
 const editor = new Editor(scene, history, place);
+editor.world = world.name;
 const pictures = new Pictures(scene, (file) => readPicture(own, file));
 const camera = new FlyCamera(caster);
 let textView = null;
@@ -66,10 +73,7 @@ const plan = new PlanView(
   byId('plan'),
   editor,
   {
-    of: (blueprint) => {
-      const name = textureOf(blueprint, 'top') ?? textureOf(blueprint, 'north');
-      return name === null ? null : pictures.meanOf(name);
-    },
+    of: colourOf,
     floor: (map) => {
       const { floor } = scene.value.maps[map];
       const name = typeof floor === 'string' ? floor : floor?.texture;
@@ -88,14 +92,33 @@ shipped.then((groups) => {
     heights.set(`../${file}`, height);
 });
 const adding = new Adding(byId('adding'), editor, pictures, () => shipped);
+const stamps = new Stamps();
+const selecting = new Selecting(byId('select-bar'), editor, {
+  stamps,
+  own,
+  colourOf,
+  tell: (text) => toast(text),
+  askName,
+  // How often the plan must be turned clockwise to lie as the picture does.
+  quarters: () => {
+    if (!byId('plan-view').hidden) return 0;
+    return Math.round((caster.currentView.heading + 90) / 90) & 3;
+  },
+});
 const palette = new Palette(byId('palette'), editor, pictures, {
   add: (what) => {
     if (what === 'blocks') adding.block();
     else if (what === 'things') adding.sprite();
+    else if (what === 'stamps') selecting.save();
     else adding.texture((texture) => editor.choose({ texture }));
   },
   heightOf: (file) => heights.get(file),
+  stamps: () => stamps.all,
+  useStamp: (one) => selecting.useStamp(one),
 });
+stamps.listen(() => palette.show());
+stamps.read();
+addEventListener('focus', () => stamps.read()); // other tabs save some, too
 new KindPanel(byId('kind'), editor, pictures, {
   chooseTexture: (then) => adding.texture(then),
 });
@@ -125,11 +148,12 @@ const actions = {
     const ways = editor.tool.ways ?? [];
     if (ways.length === 0) return;
     editor.choose({ way: ways[(ways.indexOf(editor.way) + 1) % ways.length] });
-    toast(`Box: ${editor.way}`);
+    toast(`${editor.tool.label}: ${editor.way}`);
   },
   digit: (number) => palette.digit(number),
   next: (by) => palette.move(by),
   remove() {
+    if (selecting.remove()) return;
     const { target } = editor;
     if (target === null || editor.stroke !== null) return;
     editor.press(target, { removes: true });
@@ -141,7 +165,8 @@ const actions = {
     editor.press(target);
     editor.release();
   },
-  cancel: () => editor.cancel(),
+  cancel: () => selecting.escape() || editor.cancel(),
+  selectionKey: (event) => selecting.key(event),
 };
 byId('undo').addEventListener('click', actions.undo);
 byId('redo').addEventListener('click', actions.redo);
@@ -310,6 +335,11 @@ function start() {
 }
 
 // ---- Small things
+
+function colourOf(blueprint) {
+  const name = textureOf(blueprint, 'top') ?? textureOf(blueprint, 'north');
+  return name === null ? null : pictures.meanOf(name);
+}
 
 let toastTimer = 0;
 function toast(text) {

@@ -10,6 +10,7 @@
 import { isInside, sizeOf } from './cells.js';
 import { extentOf } from './shapes.js';
 import { kindsOf } from './kinds.js';
+import { paintOverlay } from './plan-overlay.js';
 import { thingsOf } from './things.js';
 import { boxOfCells } from './tools/strokes.js';
 
@@ -227,7 +228,7 @@ export class PlanView {
     context.globalAlpha = 1;
     if (scale >= kGridFrom) this.#grid(context, width, depth);
     this.#things(context, scene.value.maps[map]);
-    this.#pointed(context);
+    if (!paintOverlay(context, this.#editor, scale)) this.#pointed(context);
     this.#eye(context);
   }
 
