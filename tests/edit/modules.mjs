@@ -28,6 +28,7 @@ const kModules = [
   'picture-view',
   'selection',
   'shapes',
+  'tiles',
   'tools/box',
   'tools/fill',
   'tools/line',

@@ -34,7 +34,7 @@ export function kindFor(scene, map, name, blueprint) {
     (other) => Object.hasOwn(blueprints, other) && isSame(blueprints[other], blueprint),
   );
   const chosen = same ?? freeName(name, blueprints);
-  const sign = freeSign(scene, chosen);
+  const sign = signFor(scene, chosen);
   return {
     sign,
     name: chosen,
@@ -52,11 +52,18 @@ export function freeName(name, taken) {
     if (!Object.hasOwn(taken, `${name} ${count}`)) return `${name} ${count}`;
 }
 
-// A character that no legend has: a letter of the name if one is free.
-function freeSign(scene, name) {
-  const taken = new Set(kReserved);
-  for (const { legend = {} } of [scene.value, ...scene.value.maps])
-    for (const sign of Object.keys(legend)) taken.add(sign);
+// A character that no legend has.
+function signFor(scene, name) {
+  const legends = [scene.value, ...scene.value.maps].map(({ legend = {} }) => legend);
+  return freeSign(
+    name,
+    legends.flatMap((legend) => Object.keys(legend)),
+  );
+}
+
+// One that is not taken: a letter of the name if one is free.
+export function freeSign(name, others) {
+  const taken = new Set([...kReserved, ...others]);
   const letters = [...name].filter((letter) => /[a-z]/i.test(letter));
   for (const sign of [...letters, ...letters.map((letter) => letter.toUpperCase()), ...kCharacters])
     if (!taken.has(sign)) return sign;

@@ -74,6 +74,7 @@ const plan = new PlanView(
   editor,
   {
     of: colourOf,
+    texture: (name) => pictures.meanOf(name),
     floor: (map) => {
       const { floor } = scene.value.maps[map];
       const name = typeof floor === 'string' ? floor : floor?.texture;

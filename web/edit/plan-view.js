@@ -5,13 +5,15 @@
 //     const plan = new PlanView(canvas, editor, colours, caster);
 //     plan.draw();   plan.fit();
 //
-// `colours.of(sign, map)` is a CSS colour of a kind from above, or null for what is not there yet.
+// `colours.of(blueprint)` is a CSS colour of a kind from above, `colours.texture(name)` of a
+// texture, or null for what is not there yet.
 
 import { isInside, sizeOf } from './cells.js';
 import { extentOf } from './shapes.js';
 import { kindsOf } from './kinds.js';
 import { paintOverlay } from './plan-overlay.js';
 import { thingsOf } from './things.js';
+import { textureOfTile } from './tiles.js';
 import { boxOfCells } from './tools/strokes.js';
 
 const kLeastScale = 1; // CSS pixels a tile
@@ -210,7 +212,7 @@ export class PlanView {
   // ---- Drawing
 
   #draw() {
-    const { scene, map, level } = this.#editor;
+    const { scene, map, level, tool, way } = this.#editor;
     const context = this.#canvas.getContext('2d');
     const { width, depth, levels } = this.#size;
     const scale = this.#scale;
@@ -220,12 +222,18 @@ export class PlanView {
     context.imageSmoothingEnabled = false;
     context.fillStyle = this.#colours.floor(map) ?? '#5a5148';
     context.fillRect(0, 0, width * scale, depth * scale);
+    const tiles = this.#tilesOf(map, 'floor');
+    if (tiles !== null) context.drawImage(tiles, 0, 0, width * scale, depth * scale);
     for (let below = 0; below <= Math.min(level, levels - 1); ++below) {
       const image = this.#imageOf(map, below);
       context.globalAlpha = below === level ? 1 : kBelow;
       if (image !== null) context.drawImage(image, 0, 0, width * scale, depth * scale);
     }
     context.globalAlpha = 1;
+    if (tool.name === 'paint' && way === 'ceiling') {
+      const above = this.#tilesOf(map, 'ceiling');
+      if (above !== null) context.drawImage(above, 0, 0, width * scale, depth * scale);
+    }
     if (scale >= kGridFrom) this.#grid(context, width, depth);
     this.#things(context, scene.value.maps[map]);
     if (!paintOverlay(context, this.#editor, scale)) this.#pointed(context);
@@ -252,6 +260,32 @@ export class PlanView {
         context.globalAlpha = 0.55 + 0.45 * high;
         context.fillStyle = this.#colours.of(blueprint) ?? '#8a8078';
         context.fillRect(x, y, 1, 1);
+      }
+    }
+    this.#images.set(key, { image, version: this.#version });
+    return image;
+  }
+
+  // Of floor or ceiling, one pixel a tile; null if it has no tiles.
+  #tilesOf(map, layer) {
+    const key = `${map} ${layer}`;
+    const known = this.#images.get(key);
+    if (known?.version === this.#version) return known.image;
+    const { scene } = this.#editor;
+    const { width, depth } = this.#size;
+    const { tiles } = scene.value.maps[map][layer] ?? {};
+    const isPlain = layer === 'floor' && tiles === undefined;
+    let image = null;
+    if (!isPlain && width > 0) {
+      image = new OffscreenCanvas(width, depth);
+      const context = image.getContext('2d');
+      for (let y = 0; y < depth; ++y) {
+        for (let x = 0; x < width; ++x) {
+          const texture = textureOfTile(scene, map, layer, x, y);
+          if (texture === null) continue;
+          context.fillStyle = this.#colours.texture(texture) ?? '#5a5148';
+          context.fillRect(x, y, 1, 1);
+        }
       }
     }
     this.#images.set(key, { image, version: this.#version });

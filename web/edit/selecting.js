@@ -69,8 +69,8 @@ export class Selecting {
       ].map(([label, about, act]) => ({ label, about, act, isShown: hasSelection })),
       [
         ['Turn', 'Turn clockwise by 90 degrees (U; Shift+U the other way)', kTurns.right],
-        ['Mirror ↔', 'Mirror: west and east change places (I)', kTurns['west-east']],
-        ['Mirror ↕', 'Mirror: north and south change places (Shift+I)', kTurns['north-south']],
+        ['↔', 'Mirror: west and east change places (I)', kTurns['west-east']],
+        ['↕', 'Mirror: north and south change places (Shift+I)', kTurns['north-south']],
       ].map(([label, about, turn]) => ({
         label,
         about,
@@ -93,13 +93,13 @@ export class Selecting {
       ],
       [
         {
-          label: 'Save as a stamp',
-          about: 'Keep the selection under a name, for all worlds (Shift+K)',
+          label: 'Save',
+          about: 'Save as a stamp: kept under a name, for all worlds (Shift+K)',
           isShown: hasSelection,
           act: () => this.save(),
         },
         {
-          label: 'Forget this stamp',
+          label: 'Forget',
           about: 'Remove the stamp from this browser',
           isShown: () => hasBrush() && editor.brush.name !== null,
           act: () => this.#forget(),
@@ -131,6 +131,8 @@ export class Selecting {
       button.type = 'button';
       button.textContent = action.label;
       button.title = action.about;
+      if (action.label.length < 2)
+        button.setAttribute('aria-label', action.about.replace(/ \(.*/, ''));
       button.addEventListener('click', () => action.act());
       place.append(button);
       this.#buttons.push({ ...action, button });
