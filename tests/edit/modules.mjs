@@ -23,6 +23,7 @@ const kModules = [
   'history',
   'json-text',
   'kinds',
+  'map-size',
   'mark-lines',
   'parts',
   'picture-view',

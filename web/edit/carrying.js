@@ -14,7 +14,7 @@ import { cellOf, keyOf } from './selection.js';
 import { turnedKinds } from './turned-kinds.js';
 import { isStill, kStill, turnedFace, turnedHeading, turnedPortal } from './turning.js';
 
-const kStep = 1000; // places are kept to this part of a unit
+const kStep = 1e9; // a move there and back leaves no trace
 
 const tidy = (number) => Math.round(number * kStep) / kStep;
 

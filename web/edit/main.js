@@ -11,6 +11,7 @@ import { FlyCamera } from './fly-camera.js';
 import { History } from './history.js';
 import { keyHelp, listenToKeys } from './keys.js';
 import { KindPanel } from './kind-panel.js';
+import { MapPanel } from './map-panel.js';
 import { openWorld, readPicture } from './open-world.js';
 import { Palette } from './palette.js';
 import { Panel } from './panel.js';
@@ -131,6 +132,8 @@ const panel = new Panel(
   ),
 );
 
+const mapPanel = new MapPanel(byId('map-tools'), editor);
+
 // ---- The bar
 
 byId('title').value = scene.value.title ?? '';
@@ -215,6 +218,7 @@ function showChoice() {
     list.replaceChildren(...maps.map((name, index) => new Option(name, index)));
   list.value = String(editor.map);
   panel.show();
+  mapPanel.show();
   showWhere();
 }
 
@@ -230,10 +234,15 @@ function showWhere() {
 
 byId('map').addEventListener('change', ({ target }) => {
   editor.choose({ map: Number(target.value) });
+  lookAtMap();
+});
+
+async function lookAtMap() {
+  await sync.settled(); // it may be a new one
   const { width, depth } = sizeOf(scene, editor.map);
   caster.look({ map: editor.mapName, x: width / 2, y: depth / 2, z: 4, flying: true });
   plan.fit();
-});
+}
 
 function setLevel(level) {
   const { levels } = sizeOf(scene, editor.map);
