@@ -39,6 +39,7 @@ export class Editor {
   brush = null; // {part, turn, name}: what is pasted, see parts.js
   world = ''; // under which name the world is kept
   #ways = new Map(); // of the tools: name -> way
+  #remembered = new Map(); // length of the history -> selection
 
   constructor(scene, history, tool) {
     this.scene = scene;
@@ -107,6 +108,20 @@ export class Editor {
     return this.selection.outline;
   }
 
+  // What was selected before and after the last change, so that undo brings it back.
+  remember(before, after) {
+    const { length } = this.history;
+    this.#remembered.set(length - 1, before);
+    this.#remembered.set(length, after);
+  }
+
+  // After undo and redo. What was selected meanwhile stays.
+  recall() {
+    const known = [...this.#remembered.values()];
+    const next = this.#remembered.get(this.history.length);
+    if (next !== undefined && known.includes(this.selection)) this.choose({ selection: next });
+  }
+
   point(target) {
     this.#target = target;
     if (this.#stroke !== null && target !== null && target.map === this.#stroke.targets[0].map) {
@@ -138,6 +153,7 @@ export class Editor {
     const selection = this.tool.select?.(stroke, context);
     if (this.tool.end !== undefined) this.#do(this.tool.end(stroke, context), stroke);
     this.history.close();
+    if (stroke.isDone && selection !== undefined) this.remember(this.selection, selection);
     if (selection !== undefined) this.choose({ selection });
     this.#tell('marks');
   }

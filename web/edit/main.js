@@ -141,8 +141,8 @@ byId('title').addEventListener('change', ({ target }) =>
   history.do('Rename', [{ path: ['title'], value: target.value || undefined }]),
 );
 const actions = {
-  undo: () => tell(history.undo(), 'Undone'),
-  redo: () => tell(history.redo(), 'Done again'),
+  undo: () => back(history.undo(), 'Undone'),
+  redo: () => back(history.redo(), 'Done again'),
   walk: () => walk(!document.body.hasAttribute('data-walking')),
   view: (name) => showView(name),
   nextView: () => showView(byId('plan-view').hidden ? 'plan' : 'picture'),
@@ -360,7 +360,8 @@ function toast(text) {
   toastTimer = setTimeout(() => line.classList.remove('shown'), 3500);
 }
 
-function tell(label, what) {
+function back(label, what) {
+  editor.recall();
   if (label !== null) toast(`${what}: ${label}`);
 }
 

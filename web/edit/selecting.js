@@ -238,7 +238,9 @@ export class Selecting {
     if (box.from.level + by.level < 0 || box.to.level + by.level >= kMostLevels) return;
     const transform = transformOf(box, turn, by);
     this.#do(label, carryChanges(scene, map, cells, transform));
-    this.#editor.choose({ selection: { map, cells: transformed(cells, transform) } });
+    const next = { map, cells: transformed(cells, transform) };
+    this.#editor.remember(selection, next);
+    this.#editor.choose({ selection: next });
   }
 
   #move(by) {

@@ -64,7 +64,7 @@ export const select = {
     const { map } = stroke.targets[0];
     const { selection } = context;
     const known = selection?.map === map ? selection.cells : new Set();
-    if (isMove(stroke, context)) {
+    if (isMove(stroke, context) && stroke.targets.length > 1) {
       const transform = moveOf(stroke, context);
       return transform.isIdle ? selection : { map, cells: transformed(known, transform) };
     }
