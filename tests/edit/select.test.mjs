@@ -354,6 +354,23 @@ test('removing takes blocks, things and portals, and only those', () => {
   assert.equal(baked.lamps.length, 1, 'the lamp hangs a level higher');
 });
 
+test('members of lists are removed together, wherever they stand', () => {
+  const text = '{ "list": [0, 1,\n  2, 3, 4, 5] }';
+  for (let bits = 1; bits < 64; ++bits) {
+    const gone = [0, 1, 2, 3, 4, 5].filter((index) => bits & (1 << index));
+    const scene = new SceneDocument(text);
+    const history = new History(scene);
+    history.do('Remove', [{ path: ['list'], removed: gone }]);
+    assert.equal(scene.mistake, null, scene.text);
+    assert.deepEqual(
+      scene.value.list,
+      [0, 1, 2, 3, 4, 5].filter((index) => !gone.includes(index)),
+    );
+    history.undo();
+    assert.equal(scene.text, text);
+  }
+});
+
 test('differences set only what differs, and remove from lists', () => {
   const before = { list: [{ a: 1 }, { a: 2, b: 3 }, { a: 4 }], gone: 1, rows: ['..', '..'] };
   const { scene, history } = opened({ ...kYard, comment: before });

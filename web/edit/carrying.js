@@ -6,7 +6,7 @@
 //
 // What would come to lie outside the map is left out.
 
-import { cellChanges, isInside, kEmpty } from './cells.js';
+import { cellChanges, isInside, kEmpty, signReader } from './cells.js';
 import { differences } from './differences.js';
 import { extentOf } from './shapes.js';
 import { draftOf, kindFor, kindOf } from './kinds.js';
@@ -80,22 +80,20 @@ export function carriedStart(start, transform) {
 
 export function carryChanges(scene, map, cells, transform) {
   const { changes, signs } = turnedSigns(scene, map, cells, transform.turn);
+  const signAt = signReader(scene, map);
   const moved = [];
   const emptied = [];
   for (const key of cells) {
     const cell = cellOf(key);
-    const sign = scene.sign(map, cell.level, cell.x, cell.y);
+    const sign = signAt(cell.level, cell.x, cell.y);
     if (sign === kEmpty || sign === ' ') continue;
     const { level, x, y } = transform.cell(cell);
     emptied.push({ layer: cell.level, x: cell.x, y: cell.y, sign: kEmpty });
     moved.push({ layer: level, x, y, sign: signs.get(sign) ?? sign });
   }
-  const last = new Map(); // so that each cell is set once
-  for (const change of [...emptied, ...moved])
-    last.set(`${change.layer} ${change.x} ${change.y}`, change);
   return [
     ...changes,
-    ...cellChanges(scene, map, [...last.values()]),
+    ...cellChanges(scene, map, [...emptied, ...moved]),
     ...thingChanges(scene, map, cells, transform),
   ];
 }
@@ -105,9 +103,10 @@ function turnedSigns(scene, map, cells, turn) {
   const signs = new Map();
   if (isStill(turn)) return { changes: [], signs };
   const used = new Set();
+  const signAt = signReader(scene, map);
   for (const key of cells) {
     const { level, x, y } = cellOf(key);
-    used.add(scene.sign(map, level, x, y));
+    used.add(signAt(level, x, y));
   }
   const kinds = [...used].map((sign) => kindOf(scene, map, sign)).filter(Boolean);
   const { blueprints, motions, names } = turnedKinds(
@@ -116,21 +115,14 @@ function turnedSigns(scene, map, cells, turn) {
     turn,
   );
   const draft = draftOf(scene);
-  const changes = [];
-  const add = (more) => {
-    changes.push(...more);
-    draft.take(more);
-  };
-  for (const [name, motion] of Object.entries(motions))
-    if (!Object.hasOwn(scene.value.motions ?? {}, name))
-      add([{ path: ['motions', name], value: motion }]);
+  draft.take(Object.entries(motions).map(([name, value]) => ({ path: ['motions', name], value })));
   for (const { sign, name } of kinds) {
     if (names.get(name) === name) continue;
     const kind = kindFor(draft, map, names.get(name), blueprints[names.get(name)]);
-    add(kind.changes);
+    draft.take(kind.changes);
     signs.set(sign, kind.sign);
   }
-  return { changes, signs };
+  return { changes: draft.changes(), signs };
 }
 
 function thingChanges(scene, map, cells, transform) {

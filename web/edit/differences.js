@@ -9,15 +9,12 @@ export function differences(before, after, path) {
   const values = [];
   const removed = [];
   compare(before, after, path);
-  return [
-    ...(values.length > 0 ? [{ values }] : []),
-    ...removed.reverse().map((gone) => ({ path: gone, value: undefined })), // the last ones first
-  ];
+  return [...(values.length > 0 ? [{ values }] : []), ...removed.reverse()]; // the last ones first
 
   function compare(one, other, at) {
     if (one === other) return;
     if (other === undefined) {
-      removed.push(at);
+      removed.push({ path: at, value: undefined });
       return;
     }
     const isList = Array.isArray(one) && Array.isArray(other);
@@ -32,9 +29,12 @@ export function differences(before, after, path) {
       return;
     }
     const keys = isList ? other.keys() : new Set([...Object.keys(one), ...Object.keys(other)]);
-    for (const key of keys) compare(one[key], other[key], [...at, key]);
-    if (isList)
-      for (let index = other.length; index < one.length; ++index) removed.push([...at, index]);
+    if (isList) {
+      const gone = [...one.keys()].filter((index) => other[index] === undefined);
+      if (gone.length > 0) removed.push({ path: at, removed: gone });
+    }
+    for (const key of keys)
+      if (!isList || other[key] !== undefined) compare(one[key], other[key], [...at, key]);
   }
 }
 

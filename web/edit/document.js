@@ -7,6 +7,7 @@
 //     scene.edits({ path: ['start', 'x'], value: 2.5 })             // such edits; see json-text.js
 //     scene.edits({ map: 0, cells: [{ layer: 1, x: 3, y: 4, sign: '#' }] })
 //     scene.edits({ values: [{ path, value }, ...] })               // several, but no removals
+//     scene.edits({ path: ['maps', 0, 'objects'], removed: [2, 3] })  // of a list
 //     scene.rows(0, 1)                                              // of a layer, as texts
 //     scene.listen(({ cells, isWhole, edits, undoing }) => ...)
 //
@@ -15,7 +16,7 @@
 
 import { findNodeAtLocation, parseTree, printParseErrorCode } from 'jsonc-parser';
 import { signsOf } from '../engine/signs.js';
-import { editsToSet } from './json-text.js';
+import { editsToRemove, editsToSet } from './json-text.js';
 
 const kStrict = { disallowComments: true, allowTrailingComma: false };
 const kEscapes = /["\\\u0000-\u001f]/; // eslint-disable-line no-control-regex -- JSON's own
@@ -68,6 +69,8 @@ export class SceneDocument {
   // The edits that make a change.
   edits(change) {
     if (change.cells !== undefined) return this.#cellEdits(change);
+    if (change.removed !== undefined)
+      return editsToRemove(this.#text, this.#tree, change.path, change.removed);
     if (change.values !== undefined) return this.#valueEdits(change.values);
     return editsToSet(this.#text, this.#tree, change.path, change.value, change);
   }

@@ -7,6 +7,8 @@
 //
 // kindFor finds a kind that looks so already, or adds one: a character is chosen for it.
 
+import { differences } from './differences.js';
+
 export const kReserved = '. '; // empty, in all legends
 const kCharacters =
   '#oxabcdefghijklmnpqrstuvwyzABCDEFGHIJKLMNOPQRSTUVWXYZ0123456789+*=~^%&@$!?/|:;<>()[]{}_-';
@@ -75,7 +77,15 @@ export function freeSign(name, others) {
 
 // Notes do not count, nor does the order of keys.
 export function isSame(one, other) {
-  return canonical(one) === canonical(other);
+  return one === other || knownCanonical(one) === knownCanonical(other);
+}
+
+const texts = new WeakMap(); // values of scenes are never changed in place
+
+function knownCanonical(value) {
+  if (typeof value !== 'object' || value === null) return canonical(value);
+  if (!texts.has(value)) texts.set(value, canonical(value));
+  return texts.get(value);
 }
 
 function canonical(value) {
@@ -87,7 +97,7 @@ function canonical(value) {
   return `{${keys.map((key) => `${JSON.stringify(key)}:${canonical(value[key])}`)}}`;
 }
 
-// What a scene will have after changes of its names.
+// What a scene will have after changes of its names, which are then made together.
 export function draftOf(scene) {
   const value = { ...scene.value };
   return {
@@ -97,5 +107,6 @@ export function draftOf(scene) {
       for (const { path, value: entry } of changes)
         value[path[0]] = { ...value[path[0]], [path[1]]: entry };
     },
+    changes: () => differences(scene.value, value, []),
   };
 }

@@ -11,7 +11,7 @@
 // sprites, objects, lamps, portals, map, world}: places count from that corner. An exit that names
 // a map lies outside the part, in the world with that name.
 
-import { cellChanges, isInside } from './cells.js';
+import { cellChanges, isInside, signReader } from './cells.js';
 import { carriedLamp, carriedObject, isWithin, placeOfThing } from './carrying.js';
 import { draftOf, freeName, isSame, kindFor } from './kinds.js';
 import { boxAround, cellOf, keyOf, transformed, transformOf } from './selection.js';
@@ -41,9 +41,10 @@ export function partOf(scene, map, cells, world = '') {
     map: here.name,
     world,
   };
+  const signAt = signReader(scene, map);
   for (const key of cells) {
     const cell = cellOf(key);
-    const sign = scene.sign(map, cell.level, cell.x, cell.y);
+    const sign = signAt(cell.level, cell.x, cell.y);
     if (!Object.hasOwn(blueprints, names[sign])) continue;
     part.cells.push({ ...transform.cell(cell), sign });
     part.legend[sign] = names[sign];
@@ -145,11 +146,6 @@ const movedCell = ({ level, x, y }, at) => ({ level: level + at.level, x: x + at
 
 export function pasteChanges(scene, map, part, at, world = '') {
   const draft = draftOf(scene);
-  const changes = [];
-  const add = (more) => {
-    changes.push(...more);
-    draft.take(more);
-  };
   const renamed = { textures: new Map(), motions: new Map(), sprites: new Map() };
   // The same entry of the scene, or a new one; the name in the scene.
   const bring = (kind, name) => {
@@ -163,10 +159,10 @@ export function pasteChanges(scene, map, part, at, world = '') {
     renamed[kind].set(name, chosen);
     if (same !== undefined) return chosen;
     const { variants } = entry;
-    add([{ path: [kind, chosen], value: entry }]);
+    draft.take([{ path: [kind, chosen], value: entry }]);
     if (variants !== undefined) {
       const named = variants.map((other) => bring(kind, other));
-      add([{ path: [kind, chosen], value: { ...entry, variants: named } }]);
+      draft.take([{ path: [kind, chosen], value: { ...entry, variants: named } }]);
     }
     return chosen;
   };
@@ -201,26 +197,19 @@ export function pasteChanges(scene, map, part, at, world = '') {
       continue;
     }
     const kind = kindFor(draft, map, name, blueprint);
-    add(kind.changes);
+    draft.take(kind.changes);
     signs.set(sign, kind.sign);
   }
   // Gates that others follow are there, too.
   const inLegend = new Set(Object.values(part.legend));
   for (const [name, blueprint] of Object.entries(part.blueprints))
     if (!inLegend.has(name) && !Object.hasOwn(draft.value.blueprints ?? {}, name))
-      add([{ path: ['blueprints', name], value: settled(blueprint) }]);
+      draft.take([{ path: ['blueprints', name], value: settled(blueprint) }]);
 
-  changes.push(
-    ...cellChanges(
-      scene,
-      map,
-      part.cells.map((cell) => {
-        const { level, x, y } = movedCell(cell, at);
-        return { layer: level, x, y, sign: signs.get(cell.sign) };
-      }),
-    ),
-  );
-
+  const cells = part.cells.map((cell) => {
+    const { level, x, y } = movedCell(cell, at);
+    return { layer: level, x, y, sign: signs.get(cell.sign) };
+  });
   const here = scene.value.maps[map];
   const box = { from: { level: 0, x: 0, y: 0 }, to: { level: 0, x: 0, y: 0 } };
   const transform = transformOf(box, kStill, at);
@@ -247,7 +236,8 @@ export function pasteChanges(scene, map, part, at, world = '') {
         isFree(portal),
     );
   return [
-    ...changes,
+    ...draft.changes(),
+    ...cellChanges(scene, map, cells),
     ...appended(scene, ['maps', map, 'objects'], objects),
     ...appended(
       scene,

@@ -75,47 +75,52 @@ export function transformed(cells, transform) {
 
 // The edges where the surface of the set bends, each run of them as one line.
 export function outlineOf(cells) {
-  const has = (level, x, y) => cells.has(keyOf({ level, x, y }));
-  const edges = new Map(); // 'axis a b' -> where along the axis there is one
-  const add = (axis, a, b, along) => {
-    const line = `${axis} ${a} ${b}`;
-    if (!edges.has(line)) edges.set(line, new Set());
-    edges.get(line).add(along);
+  const edges = new Map(); // axis, a, b as one number -> where along the axis there is one
+  const add = (line, along) => {
+    const places = edges.get(line);
+    if (places === undefined) edges.set(line, [along]);
+    else places.push(along);
   };
-  const isBend = (one, two, three, four) => {
-    const count = one + two + three + four; // around the edge
+  const has = (key) => (cells.has(key) ? 1 : 0);
+  // Whether the surface bends at an edge between four cells, which are a step apart in two ways.
+  const isBend = (key, across, up) => {
+    const [one, two] = [has(key), has(key + across)];
+    const [three, four] = [has(key + across + up), has(key + up)];
+    const count = one + two + three + four;
     return count % 2 === 1 || (count === 2 && one === three);
   };
+  const lineOf = (axis, a, b) => (axis * kSpan + a + kMiddle) * kSpan + b + kMiddle;
+  const [stepX, stepY, stepLevel] = [1, kSpan, kSpan * kSpan];
   for (const key of cells) {
     const { level, x, y } = cellOf(key);
+    // Each edge is found by all cells around it, but counts once.
     for (const i of [0, 1]) {
       for (const j of [0, 1]) {
-        const [ax, ay, az] = [x + i, y + i, level + j];
-        if (isBend(has(az - 1, x, ay - 1), has(az, x, ay - 1), has(az, x, ay), has(az - 1, x, ay)))
-          add('x', ay, az, x);
-        if (isBend(has(az - 1, ax - 1, y), has(az, ax - 1, y), has(az, ax, y), has(az - 1, ax, y)))
-          add('y', ax, az, y);
-        const by = y + j;
-        if (
-          isBend(
-            has(level, ax - 1, by - 1),
-            has(level, ax, by - 1),
-            has(level, ax, by),
-            has(level, ax - 1, by),
-          )
-        )
-          add('z', ax, by, level);
+        const [a, b] = [i - 1, j - 1];
+        if (isBend(key + a * stepY + b * stepLevel, stepY, stepLevel))
+          add(lineOf(0, y + i, level + j), x);
+        if (isBend(key + a * stepX + b * stepLevel, stepX, stepLevel))
+          add(lineOf(1, x + i, level + j), y);
+        if (isBend(key + a * stepX + b * stepY, stepX, stepY)) add(lineOf(2, x + i, y + j), level);
       }
     }
   }
   const lines = [];
   for (const [line, places] of edges) {
-    const [axis, ...ends] = line.split(' ');
-    const [a, b] = ends.map(Number);
-    const at = (along) => ({ x: [along, a, b], y: [a, along, b], z: [a, b, along] })[axis];
+    const rest = Math.floor(line / kSpan);
+    const b = line - rest * kSpan - kMiddle;
+    const axis = Math.floor(rest / kSpan);
+    const a = rest - axis * kSpan - kMiddle;
+    const at = (along) =>
+      [
+        [along, a, b],
+        [a, along, b],
+        [a, b, along],
+      ][axis];
     let begin = null;
     let last = null;
-    for (const along of [...places].sort((one, other) => one - other)) {
+    for (const along of places.sort((one, other) => one - other)) {
+      if (along === last) continue;
       if (begin !== null && along !== last + 1) {
         lines.push({ from: at(begin), to: at(last + 1) });
         begin = along;

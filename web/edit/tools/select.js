@@ -3,7 +3,7 @@
 // Knows no view.
 
 import { carryChanges } from '../carrying.js';
-import { kMostLevels, sizeOf } from '../cells.js';
+import { kMostLevels, signReader, sizeOf } from '../cells.js';
 import { kBrass, kCoral, kSea, linesOf } from '../mark-lines.js';
 import { boxAround, cellOf, keyOf, outlineOf, transformed, transformOf } from '../selection.js';
 import { boxOfCells, cellsIn } from './strokes.js';
@@ -135,21 +135,23 @@ export function allBlocks(scene, map) {
 
 function eachCell(scene, map, take) {
   const { width, depth, levels } = sizeOf(scene, map);
+  const signAt = signReader(scene, map);
   for (let level = 0; level < levels; ++level)
     for (let y = 0; y < depth; ++y)
-      for (let x = 0; x < width; ++x) take({ level, x, y }, scene.sign(map, level, x, y));
+      for (let x = 0; x < width; ++x) take({ level, x, y }, signAt(level, x, y));
 }
 
 // Those that touch with a face, also above and below.
 export function joinedCells(scene, map, at) {
-  const wanted = scene.sign(map, at.level, at.x, at.y);
+  const signAt = signReader(scene, map);
+  const wanted = signAt(at.level, at.x, at.y);
   const cells = new Set();
   if (wanted === '.' || wanted === ' ') return cells;
   const next = [at];
   while (next.length > 0) {
     const { level, x, y } = next.pop();
     const key = keyOf({ level, x, y });
-    if (cells.has(key) || scene.sign(map, level, x, y) !== wanted) continue;
+    if (cells.has(key) || signAt(level, x, y) !== wanted) continue;
     cells.add(key);
     for (const step of kSteps)
       for (const sign of [1, -1])
