@@ -132,7 +132,23 @@ const panel = new Panel(
   ),
 );
 
-const mapPanel = new MapPanel(byId('map-tools'), editor);
+const mapPanel = new MapPanel(byId('map-tools'), editor, {
+  async moved({ x, y, z }) {
+    const view = caster.currentView;
+    if (view === null) return;
+    await sync.settled();
+    const { width, depth } = sizeOf(scene, editor.map);
+    const limit = (at, end) => Math.max(0.3, Math.min(end - 0.3, at));
+    caster.look({
+      ...view,
+      map: editor.mapName,
+      x: limit(view.x + x, width),
+      y: limit(view.y + y, depth),
+      z: view.z + z,
+      flying: true,
+    });
+  },
+});
 
 // ---- The bar
 

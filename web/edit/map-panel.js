@@ -1,7 +1,7 @@
 // The map's own part of the panel: its name, its size and its levels, new maps and their removal.
 // What would be lost is told first. Takes an editor; gives changes to the history.
 //
-//     const maps = new MapPanel(place, editor);
+//     const maps = new MapPanel(place, editor, { moved({ x, y, z }) {} });
 //     maps.show();                 // after another choice
 
 import { kMostLevels, sizeOf } from './cells.js';
@@ -30,9 +30,12 @@ export class MapPanel {
   #editor;
   #name;
   #buttons = {};
+  #moved;
 
-  constructor(place, editor) {
+  // `moved`: what stood at the eye is elsewhere now, as {x, y, z}.
+  constructor(place, editor, { moved }) {
     this.#editor = editor;
+    this.#moved = moved;
     this.#name = document.createElement('input');
     this.#name.maxLength = 100;
     this.#name.addEventListener('change', () => this.#rename());
@@ -53,8 +56,12 @@ export class MapPanel {
         button('remove', 'Remove', 'Remove this map', () => this.#remove()),
       ),
       row(
-        button('insert', '', 'Put in an empty level here; those above rise', () => this.#insert()),
-        button('take', '', 'Take this level out; those above sink', () => this.#take()),
+        button('insert', '', 'Put in an empty level there; Page up and Page down choose it', () =>
+          this.#insert(),
+        ),
+        button('take', '', 'Take that level out; Page up and Page down choose it', () =>
+          this.#take(),
+        ),
       ),
     );
     editor.scene.listen(({ isWhole }) => isWhole && this.show());
@@ -76,9 +83,10 @@ export class MapPanel {
     take.disabled = level >= levels || levels < 2;
   }
 
-  #do(label, next) {
+  #do(label, next, by = null) {
     const { scene, history } = this.#editor;
     history.do(label, differences(scene.value, next, []));
+    if (by !== null) this.#moved({ x: 0, y: 0, z: 0, ...by });
   }
 
   #rename() {
@@ -90,7 +98,7 @@ export class MapPanel {
     this.#name.setCustomValidity(problem);
     this.#name.reportValidity();
     if (problem !== '' || name === scene.value.maps[map].name) return;
-    this.#do('Rename the map', renamed(scene.value, map, name));
+    this.#do('Rename the map', renamed(scene.value, map, name), {});
     this.#editor.choose({});
   }
 
@@ -114,13 +122,14 @@ export class MapPanel {
     const told = document.createElement('p');
     told.className = 'soft';
     told.setAttribute('role', 'status');
-    const next = () => {
+    const sides = () => {
       const { value: anchor } = anchors.querySelector(':checked');
       const more = [width.valueAsNumber - size.width, depth.valueAsNumber - size.depth];
       const [west, east] = shares(more[0], anchor, 'west', 'east');
       const [north, south] = shares(more[1], anchor, 'north', 'south');
-      return resized(scene.value, map, { west, east, north, south });
+      return { west, east, north, south };
     };
+    const next = () => resized(scene.value, map, sides());
     const isGood = () => width.checkValidity() && depth.checkValidity();
     const tell = () => {
       const losses = isGood() ? lossesOf(scene.value, next()) : [];
@@ -136,7 +145,8 @@ export class MapPanel {
       told,
     ];
     if (!(await ask('Size of the map', parts, 'Change')) || !isGood()) return;
-    this.#do('Size', next());
+    const { west, north } = sides();
+    this.#do('Size', next(), { x: west, y: north });
     this.#editor.choose({ selection: null });
   }
 
@@ -187,7 +197,7 @@ export class MapPanel {
 
   #insert() {
     const { scene, map, level } = this.#editor;
-    this.#do('Insert a level', withLevel(scene.value, map, level));
+    this.#do('Insert a level', withLevel(scene.value, map, level), {});
     this.#editor.choose({ selection: null });
   }
 
@@ -203,7 +213,7 @@ export class MapPanel {
         'Take out',
       ));
     if (!isSure) return;
-    this.#do('Take out a level', next);
+    this.#do('Take out a level', next, {});
     this.#editor.choose({ selection: null });
   }
 

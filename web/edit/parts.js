@@ -52,7 +52,7 @@ export function partOf(scene, map, cells, world = '') {
   const isIn = (thing) => isWithin(scene, map, cells, placeOfThing(thing));
   part.objects = (here.objects ?? [])
     .filter(isIn)
-    .map((object) => carriedObject(object, transform, here.name, {}));
+    .map((object) => withOwnPath(carriedObject(object, transform, here.name, {}), here.name));
   part.lamps = (here.baked?.lamps ?? []).filter(isIn).map((lamp) => carriedLamp(lamp, transform));
   for (const portal of here.portals ?? []) {
     const { x, y, level = 0, to: exit } = portal;
@@ -67,6 +67,16 @@ export function partOf(scene, map, cells, world = '') {
   }
   collect(part, scene.value);
   return part;
+}
+
+// Points in the part's map name none, so that they lie in the map where it is pasted.
+function withOwnPath(object, name) {
+  const { motion } = object;
+  if (motion?.path === undefined) return object;
+  const path = motion.path.map(({ map, ...point }) =>
+    map === undefined || map === name ? point : { map, ...point },
+  );
+  return { ...object, motion: { ...motion, path } };
 }
 
 export function isEmptyPart({ cells, objects, lamps }) {
@@ -218,7 +228,7 @@ export function pasteChanges(scene, map, part, at, world = '') {
   const objects = part.objects
     .map((object) => carriedObject(object, transform, part.map, {}))
     .filter(isIn)
-    .map((object) => withSprites(object, sprite));
+    .map((object) => withSprites(withPath(object, scene), sprite));
   const lamps = here.baked === undefined ? [] : part.lamps;
   const isHome = part.world === world;
   const isFree = (portal) => !(here.portals ?? []).some((other) => isSameEnd(other, portal));
@@ -255,6 +265,14 @@ const isSameEnd = (one, other) =>
   one.y === other.y &&
   one.face === other.face &&
   (one.face === undefined || (one.level ?? 0) === (other.level ?? 0));
+
+// Points in maps that are not there are left out; whose path is gone stands still.
+function withPath(object, scene) {
+  const { motion, ...rest } = object;
+  if (motion?.path === undefined) return object;
+  const path = motion.path.filter(({ map }) => map === undefined || hasMap(scene, map));
+  return path.length === 0 ? rest : { ...object, motion: { ...motion, path } };
+}
 
 function withSprites(object, sprite) {
   const next = { ...object, sprite: sprite(object.sprite) };

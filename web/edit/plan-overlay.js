@@ -42,7 +42,7 @@ function edges(context, lines, scale, colour, level) {
   context.strokeStyle = colour;
   context.lineWidth = 2;
   for (const isHere of [false, true]) {
-    context.globalAlpha = isHere ? 1 : 0.5;
+    context.globalAlpha = isHere ? 1 : 0.8;
     context.setLineDash(isHere ? [] : [4, 4]);
     context.beginPath();
     for (const { from, to } of lines) {
