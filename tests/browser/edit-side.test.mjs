@@ -41,7 +41,7 @@ async function placeOf(page, along, z) {
 }
 
 async function openSide(page) {
-  await page.keyboard.press('KeyK');
+  await page.keyboard.press('KeyV');
   await page.waitForSelector('#side');
   await frames(page);
   await page.keyboard.press('0');
@@ -88,7 +88,7 @@ test('blocks are placed and removed in the section, and it is turned and moved b
   await page.keyboard.press('ArrowDown');
   await page.keyboard.press('ArrowDown');
   assert.equal(await page.textContent('#section'), 'y 21');
-  await page.keyboard.press('KeyK');
+  await page.keyboard.press('KeyV');
   assert.deepEqual(await sectionOf(page), { axis: 'y', at: 16 }, 'through the middle');
   await page.keyboard.press('ArrowUp');
   assert.equal(await page.textContent('#section'), 'x 17');

@@ -13,7 +13,9 @@ const fromTools = createRequire(path.join(root, 'tools/package.json'));
 const { build } = await import(pathToFileURL(fromTools.resolve('esbuild')));
 
 const kModules = [
+  'carrying',
   'cells',
+  'differences',
   'document',
   'editor',
   'files/dense-text',
@@ -30,20 +32,29 @@ const kModules = [
   'history',
   'json-text',
   'kinds',
+  'levels',
+  'map-size',
   'mark-lines',
+  'parts',
   'picture-view',
+  'selection',
   'shapes',
+  'tiles',
   'tools/box',
   'tools/fill',
+  'tools/line',
   'tools/paint',
   'tools/place',
   'tools/replace',
+  'tools/select',
   'tools/shape',
+  'tools/stamp',
   'tools/thing',
   'forms/schema',
   'height-drags',
   'section',
   'tools/strokes',
+  'turning',
 ];
 
 let modules = null;

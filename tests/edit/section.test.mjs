@@ -12,7 +12,7 @@ const {
   behind,
   blocksIn,
   ceilingDrag,
-  cellOf,
+  cellIn,
   countOf,
   edgeAt,
   edgeDrag,
@@ -185,7 +185,7 @@ test('every cell of every shipped scene is in one section of each direction', ()
             at,
           })) {
             found += 1;
-            const { x, y } = cellOf({ axis, at }, along, level);
+            const { x, y } = cellIn({ axis, at }, along, level);
             assert.equal(scene.sign(map, level, x, y), sign);
             const heights = [profile.bottom, profile.top].flat();
             assert.ok(
@@ -235,7 +235,7 @@ test('a drag of an edge leaves one kind, and is undone at once', () => {
   const [block] = blocksIn(scene, 0, kRow);
   const drag = edgeDrag(
     editor,
-    { cell: cellOf(kRow, 0, 0), kind: block, edge: 'top', index: null },
+    { cell: cellIn(kRow, 0, 0), kind: block, edge: 'top', index: null },
     0.95,
   );
   for (const z of [0.9, 0.8, 0.62, 0.55, 0.33]) drag.move([0.5, z], kStep);
@@ -257,7 +257,7 @@ test('a drag of an edge leaves one kind, and is undone at once', () => {
   // A kind that looks so is taken; Escape takes all back.
   const other = edgeDrag(
     editor,
-    { cell: cellOf(kRow, 0, 0), kind: block, edge: 'top', index: null },
+    { cell: cellIn(kRow, 0, 0), kind: block, edge: 'top', index: null },
     1,
   );
   other.move([0.5, 0.5], kStep);
@@ -272,7 +272,7 @@ test('a drag of an edge leaves one kind, and is undone at once', () => {
 test('a slope, the ceiling and things are dragged', () => {
   const { scene, history, editor } = opened();
   const ramp = blocksIn(scene, 0, kRow).find(({ name }) => name === 'ramp');
-  const cell = cellOf(kRow, ramp.along, 0);
+  const cell = cellIn(kRow, ramp.along, 0);
   const slope = edgeDrag(editor, { cell, kind: ramp, edge: 'top', index: 1 }, 1);
   slope.move([3.9, 0.58], kStep);
   slope.end();

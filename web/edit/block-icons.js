@@ -51,6 +51,38 @@ export function paintBlock(canvas, blueprint, pictures) {
   }
 }
 
+// A part of a world (parts.js), each block as a small cube in its colour.
+export function paintPart(canvas, { width, depth, levels, cells, colours = {} }) {
+  const context = canvas.getContext('2d');
+  const size = canvas.width;
+  context.setTransform(1, 0, 0, 1, 0, 0);
+  context.clearRect(0, 0, size, size);
+  // A cube is two steps wide, a step and a half high.
+  const step = Math.min(size / (width + depth), size / ((width + depth) / 2 + levels));
+  const top = (size - step * ((width + depth) / 2 + levels)) / 2;
+  const left = (size - step * (width + depth)) / 2;
+  const ordered = [...cells].sort((one, other) => depthOf(one) - depthOf(other));
+  for (const { level, x, y, sign } of ordered) {
+    const across = left + (x - y + depth) * step;
+    const down = top + ((x + y) / 2 + levels - level - 1) * step;
+    const half = step / 2;
+    const face = (shade, ...corners) => {
+      context.beginPath();
+      for (const [right, below] of corners) context.lineTo(across + right, down + below);
+      context.closePath();
+      for (const colour of [colours[sign] ?? '#8a8078', `rgb(21 19 28 / ${shade})`]) {
+        context.fillStyle = colour;
+        context.fill();
+      }
+    };
+    face(kShade.south, [-step, half], [0, step], [0, 2 * step], [-step, step + half]);
+    face(kShade.east, [step, half], [0, step], [0, 2 * step], [step, step + half]);
+    face(kShade.top, [0, 0], [step, half], [0, step], [-step, half]);
+  }
+}
+
+const depthOf = ({ level, x, y }) => x + y + level;
+
 // A whole picture, as large as it fits.
 export function paintWhole(canvas, image) {
   if (image === null) return;

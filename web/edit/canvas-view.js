@@ -82,7 +82,7 @@ export class CanvasView {
       context.translate(this.#left, this.#top);
       context.imageSmoothingEnabled = false;
       this.paint(context);
-      this.#pointed(context);
+      this.pointed(context);
     });
   }
 
@@ -233,7 +233,8 @@ export class CanvasView {
 
   // ---- Drawing
 
-  #pointed(context) {
+  // The cells that the tool would change.
+  pointed(context) {
     const { target, stroke, map, tool } = this.editor;
     if (target === null || target.map !== map) return;
     const at = stroke?.removes ? target.cell : (target.before ?? target.cell);

@@ -5,13 +5,27 @@
 //     sizeOf(scene, 0)                                        // {width, depth, levels}
 //     cellChanges(scene, 0, [{ layer: 3, x: 1, y: 2, sign: '#' }])
 //     isInside(scene, 0, { x: 1, y: 2 })
+//     const signAt = signReader(scene, 0);    signAt(level, x, y)   // for many cells
 
+import { signsOf } from '../engine/signs.js';
 import { entriesOf, kEmpty, kMostLevels, sizeOfMap } from './levels.js';
 
 export { kEmpty, kMostLevels };
 
 export function sizeOf(scene, map) {
   return { ...sizeOfMap(scene.value.maps[map]), levels: scene.levels(map).length };
+}
+
+// Reads many cells: what scene.sign() says, each row split once.
+export function signReader(scene, map) {
+  const layers = new Map();
+  return (layer, x, y) => {
+    if (!layers.has(layer)) layers.set(layer, { rows: scene.rows(map, layer), split: [] });
+    const { rows, split } = layers.get(layer);
+    if (rows[y] === undefined) return kEmpty;
+    split[y] ??= signsOf(rows[y]);
+    return split[y][x] ?? kEmpty;
+  };
 }
 
 export function isInside(scene, map, { x, y, level = 0 }) {
@@ -26,9 +40,10 @@ export function cellChanges(scene, map, cells) {
     const isLayer = typeof layer !== 'number' || (layer >= 0 && layer < kMostLevels);
     return isLayer && x >= 0 && y >= 0 && x < width && y < depth;
   });
+  const signAt = signReader(scene, map);
   const layers = new Set();
   for (const { layer, x, y, sign } of inside)
-    if (scene.sign(map, layer, x, y) !== sign) layers.add(layer);
+    if (!layers.has(layer) && signAt(layer, x, y) !== sign) layers.add(layer);
   if (layers.size === 0) return [];
   const empty = Array.from({ length: depth }, () => kEmpty.repeat(width));
   return [

@@ -7,6 +7,8 @@
 //     scene.edits({ path: ['start', 'x'], value: 2.5 })             // such edits; see json-text.js
 //     scene.edits({ map: 0, cells: [{ layer: 1, x: 3, y: 4, sign: '#' }] })
 //     scene.edits({ text: '...' })                                  // another text as a whole
+//     scene.edits({ values: [{ path, value }, ...] })               // several, but no removals
+//     scene.edits({ path: ['maps', 0, 'objects'], removed: [2, 3] })  // of a list
 //     scene.rows(0, 1)                                              // of a layer, as texts
 //     scene.listen(({ cells, isWhole, edits, undoing }) => ...)
 //
@@ -16,7 +18,7 @@
 
 import { findNodeAtLocation, parseTree, printParseErrorCode } from 'jsonc-parser';
 import { signsOf } from '../engine/signs.js';
-import { editsToBecome, editsToSet } from './json-text.js';
+import { editsToBecome, editsToRemove, editsToSet } from './json-text.js';
 import { levelsOf } from './levels.js';
 
 const kStrict = { disallowComments: true, allowTrailingComma: false };
@@ -77,10 +79,12 @@ export class SceneDocument {
 
   // The edits that make a change.
   edits(change) {
+    if (change.cells !== undefined) return this.#cellEdits(change);
     if (change.text !== undefined) return editsToBecome(this.#text, change.text);
-    return change.cells === undefined
-      ? editsToSet(this.#text, this.#tree, change.path, change.value, change)
-      : this.#cellEdits(change);
+    if (change.removed !== undefined)
+      return editsToRemove(this.#text, this.#tree, change.path, change.removed);
+    if (change.values !== undefined) return this.#valueEdits(change.values);
+    return editsToSet(this.#text, this.#tree, change.path, change.value, change);
   }
 
   // Returns the edits that undo these.
@@ -206,6 +210,13 @@ export class SceneDocument {
     const { levels, floor, ceiling } = this.#value.maps[map];
     if (layer === 'floor') return floor.tiles;
     return layer === 'ceiling' ? ceiling.tiles : levels[entry];
+  }
+
+  // Values that do not lie within each other, set together: the text is read once.
+  #valueEdits(values) {
+    return values
+      .flatMap(({ path, value }) => editsToSet(this.#text, this.#tree, path, value))
+      .sort((one, other) => one.offset - other.offset);
   }
 
   // Each row's changed signs, as one edit for each run of neighbours.

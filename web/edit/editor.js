@@ -14,6 +14,8 @@
 // {level, x, y}.
 
 import { kindsOf } from './kinds.js';
+import { kBrass, linesOf } from './mark-lines.js';
+import { outlineOf } from './selection.js';
 import { valueAt } from './things.js';
 
 let strokes = 0;
@@ -31,10 +33,14 @@ export class Editor {
   texture = null; // to paint with
   thing = null; // to put: 'start', 'lamp', or {name, height} of a sprite
   edited = null; // the path of the thing that was last touched
-  way = 'solid'; // of boxes
   section = null; // {axis, at} of the side view, while it is in use; see section.js
   isWhole = false; // Shift is held
-  selection = null; // {from, to}: cells; what is selected in the map
+  selection = null; // {map, cells}: what is selected, see selection.js
+  adds = false; // to what is selected, also without Shift
+  brush = null; // {part, turn, name}: what is pasted, see parts.js
+  world = ''; // under which name the world is kept
+  #ways = new Map(); // of the tools: name -> way
+  #remembered = new Map(); // length of the history -> selection
 
   constructor(scene, history, tool) {
     this.scene = scene;
@@ -55,6 +61,15 @@ export class Editor {
     this.#tell('marks');
   }
 
+  // How the tool works, of those that it has.
+  get way() {
+    return this.#ways.get(this.tool.name) ?? this.tool.ways?.[0];
+  }
+
+  set way(way) {
+    this.#ways.set(this.tool.name, way);
+  }
+
   get stroke() {
     return this.#stroke;
   }
@@ -72,7 +87,40 @@ export class Editor {
     if (this.#stroke !== null && this.tool.show !== undefined)
       return this.tool.show(this.#stroke, this.#context);
     const lines = this.#target === null ? [] : this.tool.point(this.#target, this.#context);
-    return lines;
+    return [...this.#selected, ...lines];
+  }
+
+  // The cells that the tool would change, or has selected, where a view shows them as a set.
+  get touched() {
+    if (this.#stroke !== null) return this.tool.cells?.(this.#stroke, this.#context) ?? null;
+    if (this.#target === null) return null;
+    return this.tool.ghost?.(this.#target, this.#context) ?? null;
+  }
+
+  get #selected() {
+    if (!this.tool.hasSelection || this.selection === null) return [];
+    return linesOf(this.mapName, this.selectedOutline, kBrass);
+  }
+
+  // Its edges, found once.
+  get selectedOutline() {
+    if (this.selection === null) return [];
+    this.selection.outline ??= outlineOf(this.selection.cells);
+    return this.selection.outline;
+  }
+
+  // What was selected before and after the last change, so that undo brings it back.
+  remember(before, after) {
+    const { length } = this.history;
+    this.#remembered.set(length - 1, before);
+    this.#remembered.set(length, after);
+  }
+
+  // After undo and redo. What was selected meanwhile stays.
+  recall() {
+    const known = [...this.#remembered.values()];
+    const next = this.#remembered.get(this.history.length);
+    if (next !== undefined && known.includes(this.selection)) this.choose({ selection: next });
   }
 
   point(target) {
@@ -89,7 +137,8 @@ export class Editor {
 
   press(target, { removes = false } = {}) {
     strokes += 1;
-    this.#stroke = { key: `stroke ${strokes}`, targets: [target], removes, height: 0 };
+    const adds = this.isWhole || this.adds;
+    this.#stroke = { key: `stroke ${strokes}`, targets: [target], removes, adds, height: 0 };
     this.#target = target;
     if (this.tool.hasThings && !removes && target.thing !== null)
       this.choose({ edited: target.thing });
@@ -101,8 +150,12 @@ export class Editor {
     const stroke = this.#stroke;
     this.#stroke = null;
     if (stroke === null) return;
-    if (this.tool.end !== undefined) this.#do(this.tool.end(stroke, this.#context), stroke);
+    const context = { ...this.#context, removes: stroke.removes };
+    const selection = this.tool.select?.(stroke, context);
+    if (this.tool.end !== undefined) this.#do(this.tool.end(stroke, context), stroke);
     this.history.close();
+    if (stroke.isDone && selection !== undefined) this.remember(this.selection, selection);
+    if (selection !== undefined) this.choose({ selection });
     this.#tell('marks');
   }
 
@@ -138,8 +191,9 @@ export class Editor {
   }
 
   get #context() {
-    const { scene, sign, texture, thing, way, isWhole } = this;
-    return { scene, sign, texture, thing, way, isWhole, removes: this.#stroke?.removes ?? false };
+    const { scene, sign, texture, thing, way, isWhole, selection, brush, world } = this;
+    const removes = this.#stroke?.removes ?? false;
+    return { scene, sign, texture, thing, way, isWhole, selection, brush, world, removes };
   }
 
   #drag() {
@@ -157,6 +211,7 @@ export class Editor {
   #check() {
     const { maps } = this.scene.value;
     if (this.map >= maps.length) this.map = maps.length - 1;
+    if (this.selection !== null && this.selection.map !== this.map) this.selection = null;
     const kinds = kindsOf(this.scene, this.map);
     if (!kinds.some(({ sign }) => sign === this.sign)) this.sign = kinds[0]?.sign ?? '';
     const { textures = {}, sprites = {} } = this.scene.value;

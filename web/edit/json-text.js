@@ -3,6 +3,7 @@
 //     const tree = parseTree(text);                            // of jsonc-parser
 //     editsToSet(text, tree, ['start', 'x'], 2.5)              // [{offset, length, content}]
 //     editsToSet(text, tree, ['start'], undefined)             // removes it, with its comma
+//     editsToRemove(text, tree, ['maps'], [0, 2])               // members of a list
 //     editsToSet(text, tree, ['maps', 1], map, {insert: true}) // before what stands there
 //     printed({ a: [1, 2] }, '  ')                             // as text, indented from there on
 //
@@ -46,6 +47,25 @@ export function editsToBecome(text, wanted) {
       content: wanted.slice(begin, wanted.length - tail),
     },
   ];
+}
+
+// Removes members of a list, by their indexes in ascending order.
+export function editsToRemove(text, tree, path, indexes) {
+  const list = findNodeAtLocation(tree, path);
+  const { children } = list;
+  const gone = new Set(indexes);
+  if (children.every((_, index) => gone.has(index)))
+    return [{ offset: list.offset + 1, length: list.length - 2, content: '' }];
+  const edits = [];
+  children.forEach((child, index) => {
+    if (!gone.has(index) || gone.has(index - 1)) return;
+    let last = index;
+    while (gone.has(last + 1)) last += 1;
+    const from = index === 0 ? child.offset : endOf(children[index - 1]);
+    const to = index === 0 ? children[last + 1].offset : endOf(children[last]);
+    edits.push({ offset: from, length: to - from, content: '' });
+  });
+  return edits;
 }
 
 // On one line if it fits, else a member a line. Rows of tiles always stand below each other.

@@ -18,6 +18,19 @@ const kGroups = [
     ],
   ],
   [
+    'Select (M) and paste',
+    [
+      ['Ctrl A', 'select all blocks of the map; Escape selects none'],
+      ['Ctrl C, Ctrl X, Ctrl V', 'copy, cut, paste where you point, also in another tab'],
+      ['Delete', 'remove what is selected'],
+      ['N', 'fill it with the chosen block'],
+      ['Arrows', 'move it by a tile; Shift and up or down, by a level'],
+      ['U, I', 'turn clockwise, mirror; with Shift the other way'],
+      ['Page up, Page down', 'while dragging: more levels, as the wheel does'],
+      ['Shift K', 'save it as a stamp'],
+    ],
+  ],
+  [
     'Move',
     [
       ['W A S D, arrows', 'fly'],
@@ -32,7 +45,7 @@ const kGroups = [
     'See',
     [
       ['G', 'picture or plan'],
-      ['K', 'side view; again: from west to east, or from north to south'],
+      ['V', 'side view; again: from west to east, or from north to south'],
       ['J', 'text'],
       ['Page up, Page down', 'a level up, down, in the plan'],
       ['Arrows, Shift and wheel', 'the next section, in the side view'],
@@ -76,11 +89,11 @@ export function listenToKeys(actions, camera, tools, { isWalking }) {
     if (ctrlKey || metaKey) {
       if (code === 'KeyZ') (shiftKey ? actions.redo : actions.undo)();
       else if (code === 'KeyY') actions.redo();
-      else return false;
+      else return actions.selectionKey(event);
       return true;
     }
     camera.isFast = shiftKey;
-    if (actions.ofView(event)) return true;
+    if (actions.selectionKey(event) || actions.ofView(event)) return true;
     if (/^[1-9]$/.test(key)) actions.digit(Number(key));
     else if (code === 'Delete' || code === 'Backspace') actions.remove();
     else if (code === 'Enter') {
@@ -92,7 +105,7 @@ export function listenToKeys(actions, camera, tools, { isWalking }) {
     else if (key === ',') actions.next(-1);
     else if (key === '.') actions.next(1);
     else if (code === 'KeyG') actions.nextView();
-    else if (code === 'KeyK') actions.sideView();
+    else if (code === 'KeyV') actions.sideView();
     else if (code === 'KeyJ') actions.view('text');
     else if (code === 'KeyO') actions.way();
     else {

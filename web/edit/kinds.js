@@ -7,6 +7,8 @@
 //
 // kindFor finds a kind that looks so already, or adds one: a character is chosen for it.
 
+import { differences } from './differences.js';
+
 export const kReserved = '. '; // empty, in all legends
 const kCharacters =
   '#oxabcdefghijklmnpqrstuvwyzABCDEFGHIJKLMNOPQRSTUVWXYZ0123456789+*=~^%&@$!?/|:;<>()[]{}_-';
@@ -26,12 +28,15 @@ export function kindOf(scene, map, sign) {
 }
 
 export function kindFor(scene, map, name, blueprint) {
-  const known = kindsOf(scene, map).find((kind) => isSame(kind.blueprint, blueprint));
+  const alike = kindsOf(scene, map).filter((kind) => isSame(kind.blueprint, blueprint));
+  const known = alike.find((kind) => kind.name === name) ?? alike[0];
   if (known !== undefined) return { sign: known.sign, name: known.name, changes: [] };
   const { blueprints = {} } = scene.value;
-  const same = Object.keys(blueprints).find((other) => isSame(blueprints[other], blueprint));
+  const same = [name, ...Object.keys(blueprints)].find(
+    (other) => Object.hasOwn(blueprints, other) && isSame(blueprints[other], blueprint),
+  );
   const chosen = same ?? freeName(name, blueprints);
-  const sign = freeSign(scene, chosen);
+  const sign = signFor(scene, chosen);
   return {
     sign,
     name: chosen,
@@ -49,11 +54,18 @@ export function freeName(name, taken) {
     if (!Object.hasOwn(taken, `${name} ${count}`)) return `${name} ${count}`;
 }
 
-// A character that no legend has: a letter of the name if one is free.
-function freeSign(scene, name) {
-  const taken = new Set(kReserved);
-  for (const { legend = {} } of [scene.value, ...scene.value.maps])
-    for (const sign of Object.keys(legend)) taken.add(sign);
+// A character that no legend has.
+function signFor(scene, name) {
+  const legends = [scene.value, ...scene.value.maps].map(({ legend = {} }) => legend);
+  return freeSign(
+    name,
+    legends.flatMap((legend) => Object.keys(legend)),
+  );
+}
+
+// One that is not taken: a letter of the name if one is free.
+export function freeSign(name, others) {
+  const taken = new Set([...kReserved, ...others]);
   const letters = [...name].filter((letter) => /[a-z]/i.test(letter));
   for (const sign of [...letters, ...letters.map((letter) => letter.toUpperCase()), ...kCharacters])
     if (!taken.has(sign)) return sign;
@@ -65,7 +77,15 @@ function freeSign(scene, name) {
 
 // Notes do not count, nor does the order of keys.
 export function isSame(one, other) {
-  return canonical(one) === canonical(other);
+  return one === other || knownCanonical(one) === knownCanonical(other);
+}
+
+const texts = new WeakMap(); // values of scenes are never changed in place
+
+function knownCanonical(value) {
+  if (typeof value !== 'object' || value === null) return canonical(value);
+  if (!texts.has(value)) texts.set(value, canonical(value));
+  return texts.get(value);
 }
 
 function canonical(value) {
@@ -75,4 +95,18 @@ function canonical(value) {
     .filter((key) => key !== 'comment')
     .sort();
   return `{${keys.map((key) => `${JSON.stringify(key)}:${canonical(value[key])}`)}}`;
+}
+
+// What a scene will have after changes of its names, which are then made together.
+export function draftOf(scene) {
+  const value = { ...scene.value };
+  return {
+    value,
+    keys: (path) => Object.keys(path.reduce((node, key) => node?.[key], value) ?? {}),
+    take(changes) {
+      for (const { path, value: entry } of changes)
+        value[path[0]] = { ...value[path[0]], [path[1]]: entry };
+    },
+    changes: () => differences(scene.value, value, []),
+  };
 }

@@ -18,6 +18,7 @@ import { FlyCamera } from './fly-camera.js';
 import { History } from './history.js';
 import { keyHelp, listenToKeys } from './keys.js';
 import { KindPanel } from './kind-panel.js';
+import { MapPanel } from './map-panel.js';
 import { openWorld, readPicture } from './open-world.js';
 import { Palette } from './palette.js';
 import { Panel } from './panel.js';
@@ -28,19 +29,25 @@ import { PlanView } from './plan-view.js';
 import { Problems } from './problems.js';
 import { sizeOf } from './cells.js';
 import { textureOf } from './shapes.js';
+import { Selecting } from './selecting.js';
 import { SideView } from './side-view.js';
+import { askName } from './small-dialogs.js';
+import { Stamps } from './stamps.js';
 import { Sync } from './sync.js';
 import { iconOf } from './tool-icons.js';
 import { Tour } from './tour.js';
 import { box } from './tools/box.js';
 import { fill } from './tools/fill.js';
+import { line } from './tools/line.js';
 import { paint } from './tools/paint.js';
 import { place } from './tools/place.js';
 import { replace } from './tools/replace.js';
+import { select } from './tools/select.js';
 import { shape } from './tools/shape.js';
+import { stamp } from './tools/stamp.js';
 import { thing } from './tools/thing.js';
 
-const kTools = [place, box, fill, replace, paint, shape, thing];
+const kTools = [place, line, box, fill, replace, paint, shape, thing, select, stamp];
 const byId = (id) => document.getElementById(id);
 
 const caster = byId('picture');
@@ -53,6 +60,7 @@ const scene = readScene(beginning.text);
 const own = new Map(before?.pictures); // the world's own pictures: file -> bytes
 const history = new History(scene);
 const editor = new Editor(scene, history, place);
+editor.world = world.name;
 const pictures = new Pictures(scene, (file) => readPicture(own, file, world));
 const camera = new FlyCamera(caster);
 let textView = null;
@@ -74,10 +82,8 @@ const sync = new Sync(scene, caster, ({ faults, warnings }) => {
 });
 const pictureView = new PictureView(caster, editor, camera);
 const colours = {
-  of: (blueprint) => {
-    const name = textureOf(blueprint, 'top') ?? textureOf(blueprint, 'north');
-    return name === null ? null : pictures.meanOf(name);
-  },
+  of: colourOf,
+  texture: (name) => pictures.meanOf(name),
   floor: (map) => {
     const { floor } = scene.value.maps[map];
     const name = typeof floor === 'string' ? floor : floor?.texture;
@@ -101,14 +107,33 @@ const adding = new Adding(byId('adding'), editor, pictures, {
   readShipped: () => shipped,
   ownPictures,
 });
+const stamps = new Stamps();
+const selecting = new Selecting(byId('select-bar'), editor, {
+  stamps,
+  own,
+  colourOf,
+  tell: (text) => toast(text),
+  askName,
+  // How often the plan must be turned clockwise to lie as the picture does.
+  quarters: () => {
+    if (!byId('plan-view').hidden) return 0;
+    return Math.round((caster.currentView.heading + 90) / 90) & 3;
+  },
+});
 const palette = new Palette(byId('palette'), editor, pictures, {
   add: (what) => {
     if (what === 'blocks') adding.block();
     else if (what === 'things') adding.sprite();
+    else if (what === 'stamps') selecting.save();
     else adding.texture((texture) => editor.choose({ texture }));
   },
   heightOf: (file) => heights.get(file),
+  stamps: () => stamps.all,
+  useStamp: (one) => selecting.useStamp(one),
 });
+stamps.listen(() => palette.show());
+stamps.read();
+addEventListener('focus', () => stamps.read()); // other tabs save some, too
 new KindPanel(byId('kind'), editor, pictures, {
   chooseTexture: (then) => adding.texture(then),
 });
@@ -122,6 +147,23 @@ const panel = new Panel(
 
 const isWalking = () => document.body.hasAttribute('data-walking');
 const tour = new Tour(byId('tour'), { scene, caster, isWalking, find: byId });
+const mapPanel = new MapPanel(byId('map-tools'), editor, {
+  async moved({ x, y, z }) {
+    const view = caster.currentView;
+    if (view === null) return;
+    await sync.settled();
+    const { width, depth } = sizeOf(scene, editor.map);
+    const limit = (at, end) => Math.max(0.3, Math.min(end - 0.3, at));
+    caster.look({
+      ...view,
+      map: editor.mapName,
+      x: limit(view.x + x, width),
+      y: limit(view.y + y, depth),
+      z: view.z + z,
+      flying: true,
+    });
+  },
+});
 
 // ---- The bar
 
@@ -136,8 +178,8 @@ byId('title').addEventListener('change', ({ target }) =>
   history.do('Rename', [{ path: ['title'], value: target.value || undefined }]),
 );
 const actions = {
-  undo: () => tell(history.undo(), 'Undone'),
-  redo: () => tell(history.redo(), 'Done again'),
+  undo: () => back(history.undo(), 'Undone'),
+  redo: () => back(history.redo(), 'Done again'),
   walk: () => walk(!isWalking()),
   view: (name) => showView(name),
   nextView: () => showView(byId('plan-view').hidden ? 'plan' : 'picture'),
@@ -150,11 +192,12 @@ const actions = {
     const ways = editor.tool.ways ?? [];
     if (ways.length === 0) return;
     editor.choose({ way: ways[(ways.indexOf(editor.way) + 1) % ways.length] });
-    toast(`Box: ${editor.way}`);
+    toast(`${editor.tool.label}: ${editor.way}`);
   },
   digit: (number) => palette.digit(number),
   next: (by) => palette.move(by),
   remove() {
+    if (selecting.remove()) return;
     const { target } = editor;
     if (target === null || editor.stroke !== null) return;
     editor.press(target, { removes: true });
@@ -166,7 +209,8 @@ const actions = {
     editor.press(target);
     editor.release();
   },
-  cancel: () => (flatView() ?? editor).cancel(),
+  cancel: () => selecting.escape() || (flatView() ?? editor).cancel(),
+  selectionKey: (event) => selecting.key(event),
   save: () => saveBar.save(),
 };
 byId('undo').addEventListener('click', actions.undo);
@@ -219,6 +263,7 @@ function showChoice() {
     list.replaceChildren(...maps.map((name, index) => new Option(name, index)));
   list.value = String(editor.map);
   panel.show();
+  mapPanel.show();
   showWhere();
 }
 
@@ -234,10 +279,15 @@ function showWhere() {
 
 byId('map').addEventListener('change', ({ target }) => {
   editor.choose({ map: Number(target.value) });
+  lookAtMap();
+});
+
+async function lookAtMap() {
+  await sync.settled(); // it may be a new one
   const { width, depth } = sizeOf(scene, editor.map);
   caster.look({ map: editor.mapName, x: width / 2, y: depth / 2, z: 4, flying: true });
   for (const view of Object.values(flat)) view.fit();
-});
+}
 
 function setLevel(level) {
   const { levels } = sizeOf(scene, editor.map);
@@ -375,6 +425,11 @@ function start() {
 
 // ---- Small things
 
+function colourOf(blueprint) {
+  const name = textureOf(blueprint, 'top') ?? textureOf(blueprint, 'north');
+  return name === null ? null : pictures.meanOf(name);
+}
+
 let toastTimer = 0;
 function toast(text) {
   const line = byId('toast');
@@ -384,7 +439,8 @@ function toast(text) {
   toastTimer = setTimeout(() => line.classList.remove('shown'), 3500);
 }
 
-function tell(label, what) {
+function back(label, what) {
+  editor.recall();
   if (label !== null) toast(`${what}: ${label}`);
 }
 

@@ -36,6 +36,20 @@ export function boxLines(map, { west, north, east, south, low, high }, colour) {
   );
 }
 
+const kMostLines = 6000; // of one outline; beyond it, its box is shown
+
+// Of edges as outlineOf() in selection.js gives them.
+export function linesOf(map, edges, colour) {
+  if (edges.length <= kMostLines) return edges.map(({ from, to }) => ({ map, from, to, colour }));
+  const [west, north, low] = [0, 1, 2].map((axis) =>
+    edges.reduce((least, { from }) => Math.min(least, from[axis]), Infinity),
+  );
+  const [east, south, high] = [0, 1, 2].map((axis) =>
+    edges.reduce((most, { to }) => Math.max(most, to[axis]), -Infinity),
+  );
+  return boxLines(map, { west, north, low, east, south, high }, colour);
+}
+
 export function cellLines(map, cell, colour, extent = kWhole) {
   return boxLines(map, boxOf(cell, extent), colour);
 }

@@ -5,11 +5,16 @@
 //     const palette = new Palette(list, editor, pictures, { add() {} });
 //     palette.digit(3);                       // chooses the third one
 
-import { paintBlock, paintWhole } from './block-icons.js';
+import { paintBlock, paintPart, paintWhole } from './block-icons.js';
 import { kindsOf } from './kinds.js';
 
 const kIcon = 44; // CSS pixels
-const kAdd = { blocks: 'Add a block', textures: 'Add a texture', things: 'Add a thing' };
+const kAdd = {
+  blocks: 'Add a block',
+  textures: 'Add a texture',
+  things: 'Add a thing',
+  stamps: 'Save the selection as a stamp',
+};
 
 export class Palette {
   #list;
@@ -29,9 +34,10 @@ export class Palette {
     this.show();
   }
 
-  // 'blocks', 'textures' or 'things'
+  // 'blocks', 'textures', 'things' or 'stamps'
   get #what() {
-    const { name, hasThings } = this.#editor.tool;
+    const { name, hasThings, hasStamps } = this.#editor.tool;
+    if (hasStamps) return 'stamps';
     return hasThings ? 'things' : name === 'paint' ? 'textures' : 'blocks';
   }
 
@@ -57,6 +63,13 @@ export class Palette {
             paint: (icon) => paintWhole(icon, this.#pictures.spriteOf(name)),
           })),
         ];
+      case 'stamps':
+        return this.#actions.stamps().map(({ name, part }) => ({
+          key: `stamp ${name}`,
+          name,
+          choice: () => this.#actions.useStamp({ name, part }),
+          paint: (icon) => paintPart(icon, part),
+        }));
       default:
         return kindsOf(scene, map).map(({ sign, name, blueprint }) => ({
           key: sign,
@@ -71,7 +84,7 @@ export class Palette {
 
   digit(number) {
     const entry = this.#entries[number - 1];
-    if (entry !== undefined) this.#editor.choose(entry.choice);
+    if (entry !== undefined) this.#choose(entry);
   }
 
   // The next or the previous one.
@@ -79,11 +92,12 @@ export class Palette {
     const entries = this.#entries;
     const index = entries.findIndex(({ key }) => key === this.#chosen);
     const entry = entries[(index + by + entries.length) % entries.length];
-    if (entry !== undefined) this.#editor.choose(entry.choice);
+    if (entry !== undefined) this.#choose(entry);
   }
 
   get #chosen() {
-    const { sign, texture, thing } = this.#editor;
+    const { sign, texture, thing, brush } = this.#editor;
+    if (this.#what === 'stamps') return `stamp ${brush?.name}`;
     if (this.#what === 'blocks') return sign;
     if (this.#what === 'textures') return texture;
     return thing?.name === undefined ? thing : `sprite ${thing.name}`;
@@ -107,7 +121,12 @@ export class Palette {
     }
   }
 
-  #button({ key, name, title = name, choice }, index) {
+  #choose({ choice }) {
+    this.#editor.choose(typeof choice === 'function' ? choice() : choice);
+  }
+
+  #button(entry, index) {
+    const { key, name, title = name } = entry;
     const button = document.createElement('button');
     button.type = 'button';
     button.className = 'block';
@@ -118,7 +137,7 @@ export class Palette {
     icon.width = icon.height = kIcon * Math.ceil(devicePixelRatio);
     button.append(icon);
     if (index < 9) button.dataset.digit = String(index + 1);
-    button.addEventListener('click', () => this.#editor.choose(choice));
+    button.addEventListener('click', () => this.#choose(entry));
     return button;
   }
 

@@ -10,7 +10,11 @@ import { kindOf } from './kinds.js';
 
 const kTabs = ['kind', 'thing', 'map', 'world'];
 // What other parts of the page show already
-const kLeaveOut = { kind: ['faces', 'top', 'bottom'], map: ['objects'], world: ['title', 'maps'] };
+const kLeaveOut = {
+  kind: ['faces', 'top', 'bottom'],
+  map: ['name', 'objects'],
+  world: ['title', 'maps'],
+};
 const byId = (id) => document.getElementById(id);
 
 export class Panel {

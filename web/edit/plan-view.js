@@ -5,13 +5,16 @@
 //     const plan = new PlanView(canvas, editor, colours, caster);
 //     plan.draw();   plan.fit();
 //
-// `colours.of(sign, map)` is a CSS colour of a kind from above, or null for what is not there yet.
+// `colours.of(blueprint)` is a CSS colour of a kind from above, `colours.texture(name)` of a
+// texture, or null for what is not there yet.
 
 import { CanvasView, countTo } from './canvas-view.js';
 import { isInside, sizeOf } from './cells.js';
 import { extentOf } from './shapes.js';
 import { kindsOf } from './kinds.js';
+import { paintOverlay } from './plan-overlay.js';
 import { thingsOf } from './things.js';
+import { textureOfTile } from './tiles.js';
 
 const kMostScale = 96; // CSS pixels a tile
 const kGridFrom = 7; // from this scale on there are lines between tiles
@@ -81,17 +84,23 @@ export class PlanView extends CanvasView {
   // ---- Drawing
 
   paint(context) {
-    const { scene, map, level } = this.editor;
+    const { scene, map, level, tool, way } = this.editor;
     const { width, depth, levels } = this.#size;
     const { scale } = this;
     context.fillStyle = this.#colours.floor(map) ?? '#5a5148';
     context.fillRect(0, 0, width * scale, depth * scale);
+    const tiles = this.#tilesOf(map, 'floor');
+    if (tiles !== null) context.drawImage(tiles, 0, 0, width * scale, depth * scale);
     for (let below = 0; below <= Math.min(level, levels - 1); ++below) {
       const image = this.#imageOf(map, below);
       context.globalAlpha = below === level ? 1 : kBelow;
       if (image !== null) context.drawImage(image, 0, 0, width * scale, depth * scale);
     }
     context.globalAlpha = 1;
+    if (tool.name === 'paint' && way === 'ceiling') {
+      const above = this.#tilesOf(map, 'ceiling');
+      if (above !== null) context.drawImage(above, 0, 0, width * scale, depth * scale);
+    }
     if (scale >= kGridFrom) this.grid(context, countTo(width), countTo(depth), this.bounds);
     this.#section(context, width, depth);
     this.#things(context, scene.value.maps[map]);
@@ -137,6 +146,36 @@ export class PlanView extends CanvasView {
         context.globalAlpha = 0.55 + 0.45 * high;
         context.fillStyle = this.#colours.of(blueprint) ?? '#8a8078';
         context.fillRect(x, y, 1, 1);
+      }
+    }
+    this.#images.set(key, { image, version: this.#version });
+    return image;
+  }
+
+  pointed(context) {
+    if (!paintOverlay(context, this.editor, this.scale)) super.pointed(context);
+  }
+
+  // Of floor or ceiling, one pixel a tile; null if it has no tiles.
+  #tilesOf(map, layer) {
+    const key = `${map} ${layer}`;
+    const known = this.#images.get(key);
+    if (known?.version === this.#version) return known.image;
+    const { scene } = this.editor;
+    const { width, depth } = this.#size;
+    const { tiles } = scene.value.maps[map][layer] ?? {};
+    const isPlain = layer === 'floor' && tiles === undefined;
+    let image = null;
+    if (!isPlain && width > 0) {
+      image = new OffscreenCanvas(width, depth);
+      const context = image.getContext('2d');
+      for (let y = 0; y < depth; ++y) {
+        for (let x = 0; x < width; ++x) {
+          const texture = textureOfTile(scene, map, layer, x, y);
+          if (texture === null) continue;
+          context.fillStyle = this.#colours.texture(texture) ?? '#5a5148';
+          context.fillRect(x, y, 1, 1);
+        }
       }
     }
     this.#images.set(key, { image, version: this.#version });

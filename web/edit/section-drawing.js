@@ -1,7 +1,7 @@
 // Draws parts of a section on a canvas whose place 0, 0 is the floor at its beginning.
 // Takes a context, pixels a unit and the parts (section.js). Changes nothing.
 
-import { cellOf } from './section.js';
+import { cellIn } from './section.js';
 
 const kLine = 'rgb(21 19 28 / 0.7)';
 const kPortal = '#b58cf0';
@@ -40,7 +40,7 @@ export function drawCeiling(context, scale, scene, map, section, length) {
   const top = -ceiling.height * scale;
   context.fillStyle = kCeiling;
   for (let along = 0; along < length; ++along) {
-    const { x, y } = cellOf(section, along, 0);
+    const { x, y } = cellIn(section, along, 0);
     const isOpen = ceiling.tiles !== undefined && scene.sign(map, 'ceiling', x, y) === ' ';
     if (!isOpen) context.fillRect(along * scale, top - 3, scale + 0.5, 3);
   }

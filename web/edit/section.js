@@ -8,7 +8,7 @@
 //                                    // both of some levels, too: behind(scene, 0, section, [2])
 //     thingsIn(scene, 0, section)    // [{ path, kind, along, z, away }]: `away` from its middle
 //     portalsIn(scene, 0, section)   // [{ along, level, side, exit }]: 'from', 'to', 'top', ...
-//     cellOf(section, along, level)  // { level, x, y }
+//     cellIn(section, along, level)  // { level, x, y }
 //     edgeAt(profile, u, height)     // { edge: 'top', index, distance } nearest to a place in it
 //     withEdge(blueprint, edge, index, height)        // null if it would have no height left
 //
@@ -32,7 +32,7 @@ const kSides = {
   y: { north: 'from', south: 'to', top: 'top', bottom: 'bottom' },
 };
 
-export const cellOf = ({ axis, at }, along, level) =>
+export const cellIn = ({ axis, at }, along, level) =>
   axis === 'x' ? { level, x: along, y: at } : { level, x: at, y: along };
 
 export const pointOf = ({ axis, at }, along, z) =>

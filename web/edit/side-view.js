@@ -25,7 +25,7 @@ import {
 import {
   behind,
   blocksIn,
-  cellOf,
+  cellIn,
   countOf,
   edgeAt,
   lengthOf,
@@ -189,7 +189,7 @@ export class SideView extends CanvasView {
     const [along, level] = [Math.floor(u), Math.floor(-v)];
     if (along < 0 || along >= lengthOf(scene, map, this.#section) || level >= kMostLevels)
       return null;
-    const at = level < 0 ? null : cellOf(this.#section, along, level);
+    const at = level < 0 ? null : cellIn(this.#section, along, level);
     const found = tool.hasThings ? this.#thingNear(u, -v) : null;
     if (at === null && found === null && !tool.hasThings) return null;
     this.#hover([u, v], event);
@@ -286,7 +286,7 @@ export class SideView extends CanvasView {
     const { name } = this.editor.tool;
     const isShape = name === 'shape';
     if (!isShape && name !== 'place') return null;
-    const cell = cellOf(this.#section, Math.floor(u), Math.floor(z));
+    const cell = cellIn(this.#section, Math.floor(u), Math.floor(z));
     const kind = z < 0 ? null : this.#kindAt(cell);
     if (kind !== null) {
       const height = z - cell.level;
@@ -373,18 +373,23 @@ export class SideView extends CanvasView {
     context.globalAlpha = 1;
   }
 
-  // What is selected, if the section passes through it.
+  // The outline of what is selected, as far as the section passes through it.
   #selected(context) {
-    const { selection } = this.editor;
-    if (selection === null) return;
-    const { from, to } = selection;
-    const across = this.#section.axis === 'x' ? 'y' : 'x';
-    const { at } = this.#section;
-    if (at < from[across] || at > to[across]) return;
+    const { selection, selectedOutline, map } = this.editor;
+    if (selection?.map !== map) return;
+    const { axis, at } = this.#section;
+    const [along, across] = axis === 'x' ? [0, 1] : [1, 0];
+    const place = (point) => [point[along] * this.scale, -point[2] * this.scale];
     context.setLineDash([6, 4]);
     context.strokeStyle = kEdge;
     context.lineWidth = 2;
-    context.strokeRect(...this.boxOf(from, to).map((part) => part * this.scale));
+    context.beginPath();
+    for (const { from, to } of selectedOutline) {
+      if (from[across] !== to[across] || from[across] < at || from[across] > at + 1) continue;
+      context.moveTo(...place(from));
+      context.lineTo(...place(to));
+    }
+    context.stroke();
     context.setLineDash([]);
   }
 

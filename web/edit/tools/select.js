@@ -1,0 +1,174 @@
+// Selects cells: a box by dragging, all cells of a kind, or those of a kind that are joined. What
+// is selected is dragged elsewhere. Takes targets; gives a selection, changes, and lines to show.
+// Knows no view.
+
+import { carryChanges } from '../carrying.js';
+import { kMostLevels, signReader, sizeOf } from '../cells.js';
+import { kBrass, kCoral, kSea, linesOf } from '../mark-lines.js';
+import { boxAround, cellOf, keyOf, outlineOf, transformed, transformOf } from '../selection.js';
+import { boxOfCells, cellsIn } from './strokes.js';
+
+const kSteps = [
+  { level: 1, x: 0, y: 0 },
+  { level: 0, x: 1, y: 0 },
+  { level: 0, x: 0, y: 1 },
+];
+
+export const placeOf = ({ cell, before }) => cell ?? before;
+
+export const select = {
+  name: 'select',
+  label: 'Select',
+  key: 'M',
+  about:
+    'Drag a box; the wheel adds levels. Drag what is selected to move it. O: box, kind, joined.',
+  ways: ['box', 'same kind', 'joined'],
+  hasSelection: true,
+
+  point(target, { selection, removes }) {
+    const at = placeOf(target);
+    if (at === null) return [];
+    const isSelected = selection?.map === target.map && selection.cells.has(keyOf(at));
+    return lines(
+      target.mapName,
+      new Set([keyOf(at)]),
+      removes ? kCoral : isSelected ? '#ffffff' : kSea,
+    );
+  },
+
+  show(stroke, context) {
+    const { mapName } = stroke.targets[0];
+    if (isMove(stroke, context)) {
+      const transform = moveOf(stroke, context);
+      return lines(mapName, transformed(context.selection.cells, transform), kBrass);
+    }
+    return lines(mapName, found(stroke, context), stroke.removes ? kCoral : kSea);
+  },
+
+  // The cells to show in the plan.
+  cells(stroke, context) {
+    return isMove(stroke, context)
+      ? transformed(context.selection.cells, moveOf(stroke, context))
+      : found(stroke, context);
+  },
+
+  end(stroke, context) {
+    if (!isMove(stroke, context)) return [];
+    const { map, cells } = context.selection;
+    const transform = moveOf(stroke, context);
+    return transform.isIdle ? [] : carryChanges(context.scene, map, cells, transform);
+  },
+
+  // What is selected afterwards.
+  select(stroke, context) {
+    const { map } = stroke.targets[0];
+    const { selection } = context;
+    const known = selection?.map === map ? selection.cells : new Set();
+    if (isMove(stroke, context) && stroke.targets.length > 1) {
+      const transform = moveOf(stroke, context);
+      return transform.isIdle ? selection : { map, cells: transformed(known, transform) };
+    }
+    const cells = found(stroke, context);
+    if (stroke.removes)
+      return selectionOf(
+        map,
+        [...known].filter((key) => !cells.has(key)),
+      );
+    return selectionOf(map, stroke.adds ? [...known, ...cells] : cells);
+  },
+};
+
+const selectionOf = (map, cells) => {
+  const all = new Set(cells);
+  return all.size === 0 ? null : { map, cells: all };
+};
+
+const lines = (mapName, cells, colour) => linesOf(mapName, outlineOf(cells), colour);
+
+function isMove({ targets, removes, adds }, { selection }) {
+  const at = placeOf(targets[0]);
+  return (
+    !removes &&
+    !adds &&
+    at !== null &&
+    selection?.map === targets[0].map &&
+    selection.cells.has(keyOf(at))
+  );
+}
+
+function moveOf({ targets, height }, { selection }) {
+  const from = placeOf(targets[0]);
+  const to = placeOf(targets.at(-1)) ?? from;
+  const by = { level: to.level - from.level + height, x: to.x - from.x, y: to.y - from.y };
+  const box = boxAround(selection.cells);
+  by.level = Math.max(-box.from.level, Math.min(kMostLevels - 1 - box.to.level, by.level));
+  const isIdle = by.level === 0 && by.x === 0 && by.y === 0;
+  return { ...transformOf(box, undefined, by), isIdle };
+}
+
+function found({ targets, height }, { scene, way }) {
+  const places = targets.map(placeOf).filter(Boolean);
+  if (places.length === 0) return new Set();
+  const { map } = targets[0];
+  const [first] = places;
+  const last = places.at(-1);
+  if (way === 'same kind') return sameKind(scene, map, last);
+  if (way === 'joined') return joinedCells(scene, map, last);
+  const level = Math.max(0, Math.min(kMostLevels - 1, last.level + height));
+  return new Set(cellsIn(boxOfCells(first, { ...last, level })).map(keyOf));
+}
+
+export function sameKind(scene, map, { level, x, y }) {
+  const wanted = scene.sign(map, level, x, y);
+  const cells = new Set();
+  if (wanted === '.' || wanted === ' ') return cells;
+  eachCell(scene, map, (cell, sign) => sign === wanted && cells.add(keyOf(cell)));
+  return cells;
+}
+
+// All blocks of a map.
+export function allBlocks(scene, map) {
+  const cells = new Set();
+  eachCell(scene, map, (cell, sign) => sign !== '.' && sign !== ' ' && cells.add(keyOf(cell)));
+  return cells;
+}
+
+function eachCell(scene, map, take) {
+  const { width, depth, levels } = sizeOf(scene, map);
+  const signAt = signReader(scene, map);
+  for (let level = 0; level < levels; ++level)
+    for (let y = 0; y < depth; ++y)
+      for (let x = 0; x < width; ++x) take({ level, x, y }, signAt(level, x, y));
+}
+
+// Those that touch with a face, also above and below.
+export function joinedCells(scene, map, at) {
+  const signAt = signReader(scene, map);
+  const wanted = signAt(at.level, at.x, at.y);
+  const cells = new Set();
+  if (wanted === '.' || wanted === ' ') return cells;
+  const next = [at];
+  while (next.length > 0) {
+    const { level, x, y } = next.pop();
+    const key = keyOf({ level, x, y });
+    if (cells.has(key) || signAt(level, x, y) !== wanted) continue;
+    cells.add(key);
+    for (const step of kSteps)
+      for (const sign of [1, -1])
+        next.push({
+          level: level + sign * step.level,
+          x: x + sign * step.x,
+          y: y + sign * step.y,
+        });
+  }
+  return cells;
+}
+
+// The whole columns of a selection, as high as the map is.
+export function columnsOf(scene, { map, cells }) {
+  const { levels } = sizeOf(scene, map);
+  const all = new Set(cells);
+  for (const key of cells)
+    for (let level = 0; level < levels; ++level) all.add(keyOf({ ...cellOf(key), level }));
+  return { map, cells: all };
+}

@@ -1,0 +1,51 @@
+// Puts a part of a world where one points, again and again: what was copied, or a stamp.
+// Takes targets; gives changes and lines to show. Knows no view.
+
+import { kBrass, linesOf } from '../mark-lines.js';
+import { cellsOfPart, pasteChanges, turnedPart } from '../parts.js';
+import { outlineOf } from '../selection.js';
+
+export const stamp = {
+  name: 'stamp',
+  label: 'Stamp',
+  key: 'K',
+  about: 'Click puts the copied part or the chosen stamp. U turns it, I mirrors it, Escape ends.',
+  hasStamps: true,
+
+  point(target, { brush }) {
+    return linesOf(target.mapName, outlineOf(this.ghost(target, { brush })), kBrass);
+  },
+
+  // The cells that a click would fill.
+  ghost(target, { brush }) {
+    const at = brush === null ? null : cornerOf(target, brush);
+    return at === null ? new Set() : cellsOfPart(turned(brush), at);
+  },
+
+  end({ targets, removes }, { scene, brush, world }) {
+    const target = targets.at(-1);
+    const at = brush === null || removes ? null : cornerOf(target, brush);
+    return at === null ? [] : pasteChanges(scene, target.map, turned(brush), at, world);
+  },
+};
+
+const known = new WeakMap(); // part -> Map of its turns
+
+export function turned({ part, turn }) {
+  if (!known.has(part)) known.set(part, new Map());
+  const turns = known.get(part);
+  const key = String(turn);
+  if (!turns.has(key)) turns.set(key, turnedPart(part, turn));
+  return turns.get(key);
+}
+
+// The pointed cell is in the middle of the part's lowest level.
+function cornerOf({ before }, brush) {
+  if (before === null) return null;
+  const { width, depth } = turned(brush);
+  return {
+    level: before.level,
+    x: before.x - Math.floor((width - 1) / 2),
+    y: before.y - Math.floor((depth - 1) / 2),
+  };
+}
