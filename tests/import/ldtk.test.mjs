@@ -163,6 +163,7 @@ test('each level becomes a map; the start lies where the player does', async () 
   );
   assert.equal(scene.start.map, 'Entry');
   assert.match(JSON.stringify(notTaken), /no portals lead from a level to its neighbours/);
+  assert.match(notTaken.find(({ place }) => place.includes('Camera-1')).place, /^map "\w+", layer/);
 });
 
 test('levels may lie in files of their own, and in several worlds', async () => {

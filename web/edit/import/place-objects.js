@@ -24,9 +24,10 @@ export function placeObjects(map, grid, proposal, looks, notes, fault) {
     if (z !== wanted) notes.add(place, `it stands in a block, and so was put onto it, at ${z}`);
     return z;
   };
+  const where = proposal.maps.length > 1 ? `map ${quoted(map.name)}, ` : '';
   for (const { kind, x, y, z, layer } of grid.sprites) {
     const { name, size, comment } = proposal.kinds[kind - 1];
-    const place = `layer ${quoted(layer)}, tile ${x - 0.5},${y - 0.5}`;
+    const place = `${where}layer ${quoted(layer)}, tile ${x - 0.5},${y - 0.5}`;
     const sprite = looks.sprite(kind);
     if (sprite === null) notes.add(place, 'no picture');
     else {
@@ -37,7 +38,7 @@ export function placeObjects(map, grid, proposal, looks, notes, fault) {
   for (const object of map.objects) {
     const layer = proposal.objectLayers[object.layer];
     const { use = 'object', sprite = null } = classes.get(object.of) ?? {};
-    const place = placeOf(object, layer);
+    const place = `${where}${placeOf(object, layer)}`;
     if (layer.use === 'leave out') continue;
     if (object.isHidden || use === 'leave out') {
       notes.add(place, object.isHidden ? 'hidden, and so left out' : 'left out');
