@@ -13,7 +13,10 @@
 // placed; its face; the point in units; the path of an object, a lamp or the start. Cells are
 // {level, x, y}.
 
+import { formPathOf } from './handles.js';
 import { kindsOf } from './kinds.js';
+import { isOfThing, linkLines, shownLinks } from './link-marks.js';
+import { Links } from './links.js';
 import { valueAt } from './things.js';
 
 let strokes = 0;
@@ -39,6 +42,7 @@ export class Editor {
     this.scene = scene;
     this.history = history;
     this.tool = tool;
+    this.links = new Links(scene);
     scene.listen(() => this.#check());
     this.#check();
   }
@@ -68,6 +72,12 @@ export class Editor {
 
   // The lines to show over the picture.
   get marks() {
+    const { edited } = this;
+    const links = linkLines(this.mapName, shownLinks(this), (link) => isOfThing(link, edited));
+    return [...links, ...this.#toolMarks];
+  }
+
+  get #toolMarks() {
     if (this.#stroke !== null && this.tool.show !== undefined)
       return this.tool.show(this.#stroke, this.#context);
     const lines = this.#target === null ? [] : this.tool.point(this.#target, this.#context);
@@ -91,7 +101,7 @@ export class Editor {
     this.#stroke = { key: `stroke ${strokes}`, targets: [target], removes, height: 0 };
     this.#target = target;
     if (this.tool.hasThings && !removes && target.thing !== null)
-      this.choose({ edited: target.thing });
+      this.choose({ edited: formPathOf(target.thing) });
     this.#drag();
     this.#tell('marks');
   }

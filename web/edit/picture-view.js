@@ -7,7 +7,7 @@
 // The left button works, the right one removes, or turns the eye when it is dragged; the middle
 // one, or Alt, picks. One finger works, two fingers turn and fly.
 
-import { thingsOf } from './things.js';
+import { handlesOf } from './handles.js';
 
 const kSlack = 4; // CSS pixels that a click may move
 const kNear = 14; // CSS pixels from the mark of a thing
@@ -224,11 +224,11 @@ export class PictureView {
       : { ...target, thing: this.#thingNear(clientX, clientY) ?? target.thing };
   }
 
-  // Lamps and the start are not seen, but their marks are.
+  // Objects are seen; of the others the marks are.
   #thingNear(clientX, clientY) {
-    const { scene, map, mapName } = this.#editor;
+    const { scene, map, mapName, edited } = this.#editor;
     let [nearest, least] = [null, kNear];
-    for (const { path, kind, x, y, z } of thingsOf(scene, map)) {
+    for (const { path, kind, x, y, z } of handlesOf(scene, map, edited)) {
       const at = kind === 'object' ? null : this.#caster.project(x, y, z, mapName);
       const far = at === null ? Infinity : Math.hypot(at.clientX - clientX, at.clientY - clientY);
       if (far < least) [nearest, least] = [path, far];

@@ -1,5 +1,5 @@
 // The plan: one level seen from above, the levels below it pale, with objects, starts, lamps and
-// portals. A view as the picture is: it gives targets, and shows where the eye is.
+// links. A view as the picture is: it gives targets, and shows where the eye is.
 // Takes a canvas, a document and an editor. Changes no document.
 //
 //     const plan = new PlanView(canvas, editor, colours, caster);
@@ -9,8 +9,9 @@
 
 import { isInside, sizeOf } from './cells.js';
 import { extentOf } from './shapes.js';
+import { handlesOf } from './handles.js';
 import { kindsOf } from './kinds.js';
-import { thingsOf } from './things.js';
+import { PlanLinks } from './plan-links.js';
 import { boxOfCells } from './tools/strokes.js';
 
 const kLeastScale = 1; // CSS pixels a tile
@@ -25,6 +26,7 @@ export class PlanView {
   #editor;
   #colours;
   #caster;
+  #links;
   #scale = 0;
   #left = 0; // of the map's corner, CSS pixels
   #top = 0;
@@ -39,6 +41,7 @@ export class PlanView {
     this.#editor = editor;
     this.#colours = colours;
     this.#caster = caster;
+    this.#links = new PlanLinks(canvas.parentElement.querySelector('.legend'));
     new ResizeObserver(() => this.#resize()).observe(canvas);
     canvas.addEventListener('pointerdown', (event) => this.#down(event));
     canvas.addEventListener('pointermove', (event) => this.#move(event));
@@ -116,12 +119,14 @@ export class PlanView {
       face: 'top',
       point: [x, y, level],
       thing: this.#editor.tool.hasThings ? this.#thingNear(x, y) : null,
+      view: 'plan',
     };
   }
 
   #thingNear(x, y) {
     let [nearest, least] = [null, kNear / this.#scale];
-    for (const thing of thingsOf(this.#editor.scene, this.#editor.map)) {
+    const { scene, map, edited } = this.#editor;
+    for (const thing of handlesOf(scene, map, edited)) {
       const far = Math.hypot(thing.x - x, thing.y - y);
       if (far < least) [nearest, least] = [thing.path, far];
     }
@@ -192,7 +197,8 @@ export class PlanView {
   #wheel(event) {
     event.preventDefault();
     const notches = -Math.sign(event.deltaY);
-    if (this.#editor.stroke !== null && this.#editor.turn(notches)) return;
+    const { stroke, target } = this.#editor;
+    if ((stroke !== null || target?.thing) && this.#editor.turn(notches)) return;
     this.#zoom(1.2 ** notches, event);
   }
 
@@ -226,6 +232,7 @@ export class PlanView {
     }
     context.globalAlpha = 1;
     if (scale >= kGridFrom) this.#grid(context, width, depth);
+    this.#links.draw(context, this.#editor, scale);
     this.#things(context, scene.value.maps[map]);
     this.#pointed(context);
     this.#eye(context);
@@ -286,12 +293,6 @@ export class PlanView {
     };
     for (const object of map.objects ?? []) dot(object, '#8fce7a');
     for (const lamp of map.baked?.lamps ?? []) dot(lamp, '#ffe9a0');
-    for (const { x, y, to = {} } of map.portals ?? []) {
-      const from = { x: x + 0.5, y: y + 0.5 };
-      dot(from, '#b58cf0');
-      if (to.map !== undefined && to.map !== map.name) continue;
-      arrow(context, from, { x: to.x + 0.5, y: to.y + 0.5 }, scale, '#b58cf0');
-    }
     const { start } = this.#editor.scene.value;
     const startMap = start?.map ?? this.#editor.scene.value.maps[0].name;
     if (start !== undefined && startMap === map.name) {
