@@ -30,12 +30,14 @@ const kModules = [
   'shapes',
   'tools/box',
   'tools/fill',
+  'tools/link',
   'tools/paint',
   'tools/place',
   'tools/replace',
   'tools/shape',
   'tools/thing',
   'forms/schema',
+  'gates',
   'tools/strokes',
 ];
 

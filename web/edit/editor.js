@@ -6,14 +6,15 @@
 //     editor.point(target);                       // the pointer is there; null: nowhere
 //     editor.press(target, { removes: false });   // a stroke begins, goes on by point()
 //     editor.release();
-//     editor.listen((what) => ...);               // 'choice', 'marks'
+//     editor.listen((what, words) => ...);        // 'choice', 'marks', 'words' for the user
 //
 // A target is {map, mapName, cell, before, face, point, thing}, where each may be null but the
 // first two: the cell that is pointed at; the free cell before its face, where a block would be
 // placed; its face; the point in units; the path of an object, a lamp or the start. Cells are
 // {level, x, y}.
 
-import { formPathOf } from './handles.js';
+import { plainKind } from './gates.js';
+import { copyOf, formPathOf, removeChanges } from './handles.js';
 import { kindsOf } from './kinds.js';
 import { isOfThing, linkLines, shownLinks } from './link-marks.js';
 import { Links } from './links.js';
@@ -32,9 +33,10 @@ export class Editor {
   tool;
   sign = '';
   texture = null; // to paint with
-  thing = null; // to put: 'start', 'lamp', or {name, height} of a sprite
+  thing = null; // to put: 'start', 'lamp', 'message', 'goal', {find}, or a sprite's {name, height}
+  pending = null; // {kind, ...}: what the tool has begun, and goes on with the next click
   edited = null; // the path of the thing that was last touched
-  way = 'solid'; // of boxes
+  way = 'solid'; // one of the tool's ways
   isWhole = false; // Shift is held
   selection = null; // {from, to}: cells; what is selected in the map
 
@@ -52,7 +54,10 @@ export class Editor {
   }
 
   choose(choice) {
+    const { tool, way } = this;
     Object.assign(this, choice);
+    if ((this.tool !== tool || this.way !== way) && choice.pending === undefined)
+      this.pending = null;
     this.#check();
     this.#tell('choice');
     this.#tell('marks');
@@ -74,10 +79,10 @@ export class Editor {
   get marks() {
     const { edited } = this;
     const links = linkLines(this.mapName, shownLinks(this), (link) => isOfThing(link, edited));
-    return [...links, ...this.#toolMarks];
+    return [...links, ...this.toolMarks];
   }
 
-  get #toolMarks() {
+  get toolMarks() {
     if (this.#stroke !== null && this.tool.show !== undefined)
       return this.tool.show(this.#stroke, this.#context);
     const lines = this.#target === null ? [] : this.tool.point(this.#target, this.#context);
@@ -110,7 +115,7 @@ export class Editor {
     const stroke = this.#stroke;
     this.#stroke = null;
     if (stroke === null) return;
-    if (this.tool.end !== undefined) this.#do(this.tool.end(stroke, this.#context), stroke);
+    if (this.tool.end !== undefined) this.#take(this.tool.end(stroke, this.#context), stroke);
     this.history.close();
     this.#tell('marks');
   }
@@ -120,7 +125,40 @@ export class Editor {
     const stroke = this.#stroke;
     this.#stroke = null;
     if (stroke?.isDone) this.history.undo();
+    if (stroke === null && this.pending !== null) this.choose({ pending: null });
     this.#tell('marks');
+  }
+
+  // Ends what takes several clicks. False if there is no such thing.
+  finish() {
+    if (this.pending === null) return false;
+    this.choose({ pending: null });
+    return true;
+  }
+
+  // What was last touched: false if nothing was.
+  removeEdited() {
+    const { edited, scene } = this;
+    if (edited === null) return false;
+    this.history.do('Remove', changesToRemove(scene, edited));
+    this.choose({ edited: null });
+    return true;
+  }
+
+  duplicate() {
+    const copy = this.edited === null ? null : copyOf(this.scene, this.edited);
+    if (copy === null) {
+      this.#tell('words', 'Choose an object, a lamp or a message first: these can be copied.');
+      return;
+    }
+    this.history.do('Duplicate', copy.changes);
+    this.choose({ edited: copy.path });
+  }
+
+  // What the tool does, in words.
+  get about() {
+    const { tool } = this;
+    return tool.help?.(this.#context) ?? tool.about;
   }
 
   // Notches of the wheel, up positive. False if the tool has no use for them.
@@ -132,8 +170,9 @@ export class Editor {
     }
     if (this.tool.turn === undefined || this.#target === null) return false;
     const changes = this.tool.turn(this.#target, notches, this.#context);
-    const { cell } = this.#target;
-    this.history.do(this.tool.label, changes, `turn ${JSON.stringify(cell)}`);
+    if (changes === null) return false;
+    const { cell, thing } = this.#target;
+    this.history.do(this.tool.label, changes, `turn ${JSON.stringify(thing ?? cell)}`);
     this.#tell('marks');
     return true;
   }
@@ -147,8 +186,9 @@ export class Editor {
   }
 
   get #context() {
-    const { scene, sign, texture, thing, way, isWhole } = this;
-    return { scene, sign, texture, thing, way, isWhole, removes: this.#stroke?.removes ?? false };
+    const { scene, sign, texture, thing, way, isWhole, links, edited, pending } = this;
+    const removes = this.#stroke?.removes ?? false;
+    return { scene, sign, texture, thing, way, isWhole, links, edited, pending, removes };
   }
 
   #drag() {
@@ -156,10 +196,23 @@ export class Editor {
       this.#do(this.tool.drag(this.#stroke, this.#context), this.#stroke);
   }
 
-  #do(changes, stroke) {
+  // A tool gives changes, or also what is chosen then: {changes, label, words, edited, pending}.
+  #take(answer, stroke) {
+    const {
+      changes = [],
+      label,
+      words,
+      ...choice
+    } = Array.isArray(answer) ? { changes: answer } : answer;
+    this.#do(changes, stroke, label);
+    if (Object.keys(choice).length > 0) this.choose(choice);
+    if (words !== undefined) this.#tell('words', words);
+  }
+
+  #do(changes, stroke, label = this.tool.label) {
     if (changes.length === 0) return;
     stroke.isDone = true;
-    this.history.do(stroke.removes ? 'Remove' : this.tool.label, changes, stroke.key);
+    this.history.do(stroke.removes ? 'Remove' : label, changes, stroke.key);
   }
 
   // What was chosen may be gone.
@@ -174,13 +227,32 @@ export class Editor {
     this.thing ??= 'start';
     if (this.edited !== null && valueAt(this.scene.value, this.edited) === undefined)
       this.edited = null;
+    const { ways } = this.tool ?? {};
+    if (ways !== undefined && !ways.includes(this.way)) this.way = ways[0];
+    if (this.pending !== null && !isStillThere(this.scene.value, this.pending)) this.pending = null;
     if (!Object.hasOwn(textures, this.texture ?? ''))
       this.texture = Object.keys(textures)[0] ?? null;
   }
 
-  #tell(what) {
-    for (const listener of this.#listeners) listener(what);
+  #tell(what, words) {
+    for (const listener of this.#listeners) listener(what, words);
   }
+}
+
+// After an undo, what was begun may be gone.
+function isStillThere({ maps, blueprints }, { path, name, map, end }) {
+  if (path !== undefined && valueAt({ maps, blueprints }, path) === undefined) return false;
+  if (name !== undefined && blueprints?.[name]?.gate === undefined) return false;
+  return (map ?? end?.map ?? 0) < maps.length;
+}
+
+// Blocks become plain; the kinds stay.
+function changesToRemove(scene, path) {
+  const { blueprints = {} } = scene.value;
+  if (path[0] === 'blueprints') return plainKind(scene, path[1]);
+  if (path[0] !== 'motions') return removeChanges(scene, path);
+  const names = Object.keys(blueprints).filter((name) => blueprints[name].motion === path[1]);
+  return names.flatMap((name) => plainKind(scene, name));
 }
 
 // With `isFine`, also within a cell.

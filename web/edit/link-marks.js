@@ -17,9 +17,7 @@ export function shownLinks({ links, map, tool, edited, target, scene }) {
   const all = links.of(map);
   if (tool.hasThings) return all;
   const pointed =
-    target?.map === map && target.cell !== null
-      ? blueprintAt(scene.value, map, target.cell)
-      : null;
+    target?.map === map && target.cell !== null ? blueprintAt(scene.value, map, target.cell) : null;
   const isPointed = ({ kind, path, text }) =>
     pointed !== null &&
     ((kind === 'gate' && path[1] === pointed.name) || (kind === 'mover' && text === pointed.name));
@@ -91,9 +89,11 @@ function wayOf(points, { closesAt = 0, kind }, isClosed, isBack) {
   const last = points.at(-1);
   const isRing = kind === 'way' && points.length > 12 && isClosed; // what flies in circles
   return [
-    ...points.slice(1).flatMap((to, index) =>
-      isRing ? [[points[index], to]] : arrow(points[index], to, isBack && index >= closesAt),
-    ),
+    ...points
+      .slice(1)
+      .flatMap((to, index) =>
+        isRing ? [[points[index], to]] : arrow(points[index], to, isBack && index >= closesAt),
+      ),
     ...(isClosed ? arrow(last, points[closesAt]) : []),
   ];
 }

@@ -11,6 +11,8 @@
 //       points, isClosed,      // [[x, y, z], ...]: a way, or the one place of a find
 //       isBack,                // there and back along the points, or through the portal
 //       ends, text }           // [{path, map, mapName, x, y, z}] of what belongs to it; words
+//
+// Portals have `areas`, one for each end in this map, and `away`, where the first one leads to.
 
 import { signsOf } from '../engine/signs.js';
 import { extentOf } from './shapes.js';
@@ -92,8 +94,11 @@ export function turned(side, degrees) {
   return side;
 }
 
-export const opposite = (face) =>
-  ({ top: 'bottom', bottom: 'top' })[face] ?? kSides[(kSides.indexOf(face) + 2) % 4];
+export function opposite(face) {
+  const at = kSides.indexOf(face);
+  if (at >= 0) return kSides[(at + 2) % 4];
+  return { top: 'bottom', bottom: 'top' }[face];
+}
 
 export function beside({ x, y, level }, side) {
   const [east, south] = kStep[side] ?? [0, 0];
@@ -171,17 +176,19 @@ const list = (value) => (Array.isArray(value) ? value : []);
 
 // ---- Portals
 
-// Its two frames: `from`, on the face of the block or around the tile, and `to`.
+// Its two frames: `from`, on the face of the block or around the tile, and `to`, on the `side` of
+// the exit where one comes in.
 export function framesOf(value, map, { x, y, level = 0, face, to, turn = 0 }) {
   const cell = { x, y, level };
   const exit = { x: to.x, y: to.y, level: to.level ?? level };
-  if (face === undefined) return { from: sideBox(cell), to: sideBox(exit) };
+  if (face === undefined) return { from: sideBox(cell), to: sideBox(exit), side: null };
   const { low, high } = extentOf(blueprintAt(value, map, cell)?.blueprint);
   const isFlat = face === 'top' || face === 'bottom';
   const side = isFlat ? face : opposite(turned(opposite(face), turn));
   return {
     from: sideBox(cell, face, { low, high }),
     to: sideBox(exit, side, { low, high }),
+    side,
   };
 }
 
@@ -199,7 +206,9 @@ function portals(value, map) {
       ];
       const areas = [...(from === map ? [frames.from] : []), ...(to === map ? [frames.to] : [])];
       const isBack = portal.twoWay === true;
-      return [link(path, 'portal', map, { area: areas[0], areas, ends, isBack })];
+      const behind = from === map ? opposite(portal.face) : frames.side;
+      const away = kStep[behind] ?? [0.7, -0.7];
+      return [link(path, 'portal', map, { area: areas[0], areas, ends, isBack, away })];
     }),
   );
 }

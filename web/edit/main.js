@@ -23,15 +23,17 @@ import { sizeOf } from './cells.js';
 import { textureOf } from './shapes.js';
 import { Sync } from './sync.js';
 import { iconOf } from './tool-icons.js';
+import { ToolWays } from './tool-ways.js';
 import { box } from './tools/box.js';
 import { fill } from './tools/fill.js';
+import { link } from './tools/link.js';
 import { paint } from './tools/paint.js';
 import { place } from './tools/place.js';
 import { replace } from './tools/replace.js';
 import { shape } from './tools/shape.js';
 import { thing } from './tools/thing.js';
 
-const kTools = [place, box, fill, replace, paint, shape, thing];
+const kTools = [place, box, fill, replace, paint, shape, thing, link];
 const byId = (id) => document.getElementById(id);
 
 const caster = byId('picture');
@@ -125,16 +127,20 @@ const actions = {
     const ways = editor.tool.ways ?? [];
     if (ways.length === 0) return;
     editor.choose({ way: ways[(ways.indexOf(editor.way) + 1) % ways.length] });
-    toast(`Box: ${editor.way}`);
+    toast(`${editor.tool.label}: ${editor.way}`);
   },
   digit: (number) => palette.digit(number),
   next: (by) => palette.move(by),
   remove() {
-    const { target } = editor;
-    if (target === null || editor.stroke !== null) return;
+    const { target, tool } = editor;
+    if (editor.stroke !== null) return;
+    if (tool.hasThings && !target?.thing && editor.removeEdited()) return;
+    if (target === null) return;
     editor.press(target, { removes: true });
     editor.release();
   },
+  duplicate: () => editor.duplicate(),
+  finish: () => editor.finish(),
   use() {
     const { target } = editor;
     if (target === null || editor.stroke !== null) return;
@@ -172,8 +178,12 @@ byId('tools').append(
     return button;
   }),
 );
-editor.listen((what) => {
-  if (what === 'choice') showChoice();
+new ToolWays(byId('ways'), editor);
+byId('thing-copy').addEventListener('click', actions.duplicate);
+byId('thing-remove').addEventListener('click', () => editor.removeEdited());
+editor.listen((what, words) => {
+  if (what === 'words') toast(words);
+  else if (what === 'choice') showChoice();
   else showWhere();
 });
 showChoice();
@@ -181,7 +191,7 @@ showChoice();
 function showChoice() {
   for (const button of byId('tools').children)
     button.setAttribute('aria-pressed', String(button.dataset.tool === editor.tool.name));
-  byId('about').textContent = editor.tool.about;
+  byId('about').textContent = editor.about;
   byId('level').textContent = String(editor.level);
   const maps = scene.value.maps.map(({ name }) => name);
   const list = byId('map');
@@ -207,6 +217,16 @@ byId('map').addEventListener('change', ({ target }) => {
   const { width, depth } = sizeOf(scene, editor.map);
   caster.look({ map: editor.mapName, x: width / 2, y: depth / 2, z: 4, flying: true });
   plan.fit();
+});
+
+// Who flies through a portal builds where it leads.
+let eyeMap = null;
+caster.addEventListener('viewchange', () => {
+  const { map } = caster.currentView ?? {};
+  if (map === eyeMap) return;
+  eyeMap = map;
+  const index = scene.value.maps.findIndex(({ name }) => name === map);
+  if (index >= 0 && index !== editor.map && editor.stroke === null) editor.choose({ map: index });
 });
 
 function setLevel(level) {

@@ -6,6 +6,8 @@
 //     palette.digit(3);                       // chooses the third one
 
 import { paintBlock, paintWhole } from './block-icons.js';
+import { kFinds } from './finds.js';
+import { kLinkLooks } from './link-looks.js';
 import { kindsOf } from './kinds.js';
 
 const kIcon = 44; // CSS pixels
@@ -50,6 +52,18 @@ export class Palette {
         return [
           { key: 'start', name: 'Start', choice: { thing: 'start' }, paint: paintFlag },
           { key: 'lamp', name: 'Lamp', choice: { thing: 'lamp' }, paint: paintLamp },
+          { key: 'message', name: 'Message', choice: { thing: 'message' }, paint: paintMessage },
+          { key: 'goal', name: 'Goal', choice: { thing: 'goal' }, paint: paintGoal },
+          ...kFinds.map(({ name, picture }) => ({
+            key: `find ${name}`,
+            name: `Find: ${name}`,
+            title: `A ${name} to find, which may open a gate`,
+            choice: { thing: { find: name } },
+            paint: (icon) => {
+              paintWhole(icon, this.#pictures.ofFile(picture.file, picture));
+              paintStar(icon);
+            },
+          })),
           ...Object.keys(sprites).map((name) => ({
             key: `sprite ${name}`,
             name,
@@ -86,6 +100,7 @@ export class Palette {
     const { sign, texture, thing } = this.#editor;
     if (this.#what === 'blocks') return sign;
     if (this.#what === 'textures') return texture;
+    if (thing?.find !== undefined) return `find ${thing.find}`;
     return thing?.name === undefined ? thing : `sprite ${thing.name}`;
   }
 
@@ -162,10 +177,26 @@ function paintLamp(icon) {
   paintShape(icon, '#ffd98a', 'M6 2h4v1h2v2h1v4h-1v2h-2v2H6v-2H4V9H3V5h1V3h2zM6 14h4v1H6z');
 }
 
+function paintMessage(icon) {
+  paintShape(icon, kLinkLooks.message.colour, 'M2 3h12v8H8l-4 3v-3H2zM4 5v1h8V5zM4 8v1h6V8z');
+}
+
+function paintGoal(icon) {
+  paintShape(icon, kLinkLooks.goal.colour, 'M3 2h7v2H5v8h5v2H3zM8 7h4V5l3 3-3 3V9H8z');
+}
+
+// In the corner: one takes it along.
+function paintStar(icon) {
+  const context = icon.getContext('2d');
+  context.setTransform(icon.width / 16, 0, 0, icon.height / 16, 0, 0);
+  context.fillStyle = kLinkLooks.find.colour;
+  context.fill(new Path2D('M2.5 0l1 1.7 1.8.8-1.8.8-1 1.7-1-1.7L-.3 2.5l1.8-.8z'));
+}
+
 function paintShape(icon, colour, path) {
   const context = icon.getContext('2d');
   context.setTransform(icon.width / 16, 0, 0, icon.height / 16, 0, 0);
   context.clearRect(0, 0, 16, 16);
   context.fillStyle = colour;
-  context.fill(new Path2D(path));
+  context.fill(new Path2D(path), 'evenodd');
 }

@@ -10,7 +10,7 @@ import { handlesOf } from './handles.js';
 
 const kHead = 9; // of an arrow, CSS pixels
 const kStub = 30; // of an arrow to another map
-const kPale = 0.35; // what is on other levels
+const kPale = 0.5; // what is on other levels
 const kLabelsApart = 56; // CSS pixels between equal labels
 
 export class PlanLinks {
@@ -85,28 +85,23 @@ function isOnLevel({ area, areas, points }, level) {
 const isElsewhere = (end, map) => end.map !== map;
 
 const drawings = {
-  portal(pen, { areas, ends: [from, to], map, isBack }) {
+  portal(pen, { areas, ends: [from, to], map, isBack, away }) {
     for (const area of areas) pen.box(area);
     const [here, there] = from.map === map ? [from, to] : [to, from];
     if (!isElsewhere(there, map)) {
       pen.arrow(flat(from), flat(to), isBack);
       return;
     }
-    // Away from the side where one stands
-    const [area] = areas;
-    const isFlatX = area.west === area.east;
-    const isFlatY = area.north === area.south;
-    const way = isFlatX ? [1, 0] : isFlatY ? [0, -1] : [0.7, -0.7];
     const isOut = from.map === map;
-    pen.stub(flat(here), way, isOut, isBack, there.mapName ?? '');
+    pen.stub(flat(here), away, isOut, isBack, there.mapName ?? '');
   },
 
   gate(pen, { area, points, radius, ends, map }) {
     pen.box(area);
     if (radius !== null) pen.ring(points[0], radius, true);
-    for (const end of ends)
-      if (!isElsewhere(end, map)) pen.arrow(flat(end), points[0]);
-      else pen.label(points[0], `needs what is in ${end.mapName}`);
+    for (const end of ends) if (!isElsewhere(end, map)) pen.arrow(flat(end), points[0]);
+    const others = new Set(ends.filter((end) => isElsewhere(end, map)).map((end) => end.mapName));
+    if (others.size > 0) pen.label(points[0], `opened from ${[...others].join(', ')}`);
   },
 
   mover(pen, { area, points }) {

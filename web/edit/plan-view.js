@@ -305,7 +305,8 @@ export class PlanView {
 
   #pointed(context) {
     const { target, stroke, map, tool } = this.#editor;
-    if (target === null || target.map !== map) return;
+    if (tool.hasThings) this.#flatMarks(context);
+    if (tool.hasThings || target === null || target.map !== map) return;
     const at = stroke?.removes ? target.cell : (target.before ?? target.cell);
     if (at === null) return;
     const isBox = stroke !== null && tool.show !== undefined;
@@ -319,6 +320,20 @@ export class PlanView {
       (to.x - from.x + 1) * this.#scale,
       (to.y - from.y + 1) * this.#scale,
     );
+  }
+
+  // What the tool shows in the picture, seen from above.
+  #flatMarks(context) {
+    const { toolMarks, mapName } = this.#editor;
+    context.lineWidth = 2;
+    for (const { map, from, to, colour } of toolMarks) {
+      if (map !== mapName) continue;
+      context.strokeStyle = colour;
+      context.beginPath();
+      context.moveTo(from[0] * this.#scale, from[1] * this.#scale);
+      context.lineTo(to[0] * this.#scale, to[1] * this.#scale);
+      context.stroke();
+    }
   }
 
   #eye(context) {

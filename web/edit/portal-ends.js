@@ -1,7 +1,7 @@
 // The two ends of a portal: on a face of a block, or around a whole tile.
 // Takes a document and targets; gives changes, or words where two ends do not fit.
 //
-//     portalEnd(scene, target)           // {map, x, y, level, face}, without face for a tile; or null
+//     portalEnd(scene, target)           // {map, x, y, level, face}, for a tile without face; null
 //     portalBetween(scene, one, other)   // {path, value} of a new portal, or {words}
 //     movedEnd(scene, path, end)         // changes; path: of a portal, or of its "to"
 
@@ -118,7 +118,9 @@ export function movedEnd(scene, path, end) {
   if (value === undefined) return [];
   const wanted = { ...(comment === undefined ? {} : { comment }), ...value };
   if (present.twoWay !== true) delete wanted.twoWay;
-  return JSON.stringify(wanted) === JSON.stringify(present) ? [] : [{ path: portal, value: wanted }];
+  return JSON.stringify(wanted) === JSON.stringify(present)
+    ? []
+    : [{ path: portal, value: wanted }];
 }
 
 // It is not in its own way.
