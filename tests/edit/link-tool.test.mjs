@@ -226,7 +226,8 @@ test('a way is clicked point by point, gets points in between, and loses them', 
   editor.press(floor(4, 4.5, { thing: at }));
   editor.point(floor(4, 3.75));
   editor.release();
-  assert.deepEqual(points()[2], [4, 3.75]);
+  const path = () => value().maps[0].objects[0].motion.path;
+  assert.deepEqual(path()[2], { x: 4, y: 3.75 });
   click(editor, floor(4, 3.75, { thing: at }), { removes: true });
   assert.equal(points().length, 3);
   for (let count = 0; count < 3; ++count)

@@ -129,9 +129,9 @@ export class Editor {
     this.#tell('marks');
   }
 
-  // Ends what takes several clicks. False if there is no such thing.
+  // Ends a way, whatever number of points it has. False if there is none.
   finish() {
-    if (this.pending === null) return false;
+    if (this.pending?.kind !== 'way') return false;
     this.choose({ pending: null });
     return true;
   }

@@ -76,8 +76,9 @@ export function listenToKeys(actions, camera, tools, { isWalking }) {
     if (/^[1-9]$/.test(key)) actions.digit(Number(key));
     else if (code === 'Delete' || code === 'Backspace') actions.remove();
     else if (code === 'Enter') {
+      if (actions.finish()) return true;
       if (event.target.closest?.('button, a, select') !== null) return false;
-      if (!actions.finish()) actions.use();
+      actions.use();
     } else if (code === 'Insert') actions.use();
     else if (code === 'Escape') actions.cancel();
     else if (code === 'PageUp') actions.level(1);

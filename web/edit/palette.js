@@ -9,6 +9,7 @@ import { paintBlock, paintWhole } from './block-icons.js';
 import { kFinds } from './finds.js';
 import { kLinkLooks } from './link-looks.js';
 import { kindsOf } from './kinds.js';
+import { thing } from './tools/thing.js';
 
 const kIcon = 44; // CSS pixels
 const kAdd = { blocks: 'Add a block', textures: 'Add a texture', things: 'Add a thing' };
@@ -85,7 +86,7 @@ export class Palette {
 
   digit(number) {
     const entry = this.#entries[number - 1];
-    if (entry !== undefined) this.#editor.choose(entry.choice);
+    if (entry !== undefined) this.#choose(entry.choice);
   }
 
   // The next or the previous one.
@@ -93,7 +94,12 @@ export class Palette {
     const entries = this.#entries;
     const index = entries.findIndex(({ key }) => key === this.#chosen);
     const entry = entries[(index + by + entries.length) % entries.length];
-    if (entry !== undefined) this.#editor.choose(entry.choice);
+    if (entry !== undefined) this.#choose(entry.choice);
+  }
+
+  // Things are put by the tool for them.
+  #choose(choice) {
+    this.#editor.choose(this.#what === 'things' ? { tool: thing, ...choice } : choice);
   }
 
   get #chosen() {
@@ -133,7 +139,7 @@ export class Palette {
     icon.width = icon.height = kIcon * Math.ceil(devicePixelRatio);
     button.append(icon);
     if (index < 9) button.dataset.digit = String(index + 1);
-    button.addEventListener('click', () => this.#editor.choose(choice));
+    button.addEventListener('click', () => this.#choose(choice));
     return button;
   }
 
@@ -191,6 +197,7 @@ function paintStar(icon) {
   context.setTransform(icon.width / 16, 0, 0, icon.height / 16, 0, 0);
   context.fillStyle = kLinkLooks.find.colour;
   context.fill(new Path2D('M2.5 0l1 1.7 1.8.8-1.8.8-1 1.7-1-1.7L-.3 2.5l1.8-.8z'));
+  context.resetTransform();
 }
 
 function paintShape(icon, colour, path) {
