@@ -25,6 +25,7 @@ const kModules = [
   'link-marks',
   'links',
   'mark-lines',
+  'names',
   'picture-view',
   'portal-ends',
   'shapes',

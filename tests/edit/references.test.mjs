@@ -9,8 +9,25 @@ import { test } from 'node:test';
 import { shippedScenes } from '../wasm/load.mjs';
 import { editModules } from './modules.mjs';
 
-const { Links, SceneDocument, Schema, kPlaces, linkLines, linksOf, placesOf, printed, sizeOf } =
-  await editModules();
+const {
+  History,
+  Links,
+  SceneDocument,
+  Schema,
+  kGiven,
+  kPlaces,
+  kReferences,
+  linkLines,
+  linksOf,
+  matchesOf,
+  namedChange,
+  namesOf,
+  placesOf,
+  printed,
+  renameChange,
+  sizeOf,
+  usesOf,
+} = await editModules();
 
 const kSchema = JSON.parse(
   readFileSync(new URL('../../assets/scene.schema.json', import.meta.url), 'utf8'),
@@ -50,7 +67,54 @@ test('every place of the schema is known', () => {
   assert.deepEqual([...places].sort(), [...kPlaces].sort());
 });
 
+test('every text of the schema is a name, refers to one, or is words for people', () => {
+  const kWords = /(^|\/)(\$schema|comment|title|message|text|aim|locked|tiles\/\*|levels\/.*)$/;
+  const texts = all
+    .filter(([pattern, , { kinds }]) => {
+      const isFree = ({ type, choices, pattern: form }) =>
+        type === 'text' && choices === undefined && form === undefined;
+      return kinds.some(isFree) && !kWords.test(pattern);
+    })
+    .map(([pattern]) => pattern.replace(/(\/faces)\/\w+/, '$1/*'));
+  const known = [...kReferences, ...kGiven].map(({ pattern }) => pattern);
+  assert.deepEqual([...new Set(texts)].sort(), known.sort());
+});
+
 for (const [name, scene] of scenes) {
+  test(`all names that ${name} uses are given, and it can be renamed throughout`, async () => {
+    for (const { what, pattern } of kReferences) {
+      const names = new Set(namesOf(scene.value, what));
+      for (const [at, used] of matchesOf(scene.value, pattern)) {
+        if (typeof used !== 'string' || at.at(-1) === 'comment') continue;
+        if (used === 'floor' && /\/on/.test(pattern)) continue;
+        assert.ok(names.has(used), `${at.join('/')}: ${used}`);
+      }
+    }
+    // Everything that has a name gets another one; then all is as it was, but for the names.
+    const copy = new SceneDocument(scene.text);
+    const history = new History(copy);
+    const rename = ({ changes, words }) => {
+      assert.equal(words, undefined);
+      history.do('Rename', changes);
+    };
+    for (const what of ['textures', 'sprites', 'motions', 'blueprints'])
+      for (const one of namesOf(copy.value, what).slice(0, 12))
+        rename(renameChange(copy, [what, one], `${one} \u2728`));
+    copy.value.maps.forEach(({ name: one }, index) =>
+      rename(namedChange(copy, ['maps', index, 'name'], `${one} \u2728`)),
+    );
+    const back = JSON.parse(copy.text.replaceAll(' \u2728', ''));
+    assert.deepEqual(back, scene.value);
+    for (const { what, pattern } of kReferences) {
+      const names = new Set(namesOf(copy.value, what));
+      for (const [at, used] of matchesOf(copy.value, pattern))
+        if (typeof used === 'string' && at.at(-1) !== 'comment' && !/\/on/.test(pattern))
+          assert.ok(names.has(used), `${at.join('/')}: ${used}`);
+    }
+    while (history.undo() !== null);
+    assert.equal(copy.text, scene.text);
+  });
+
   test(`all links of ${name} lie inside their maps`, () => {
     const { value } = scene;
     const kinds = new Map();
@@ -183,4 +247,44 @@ test('frames, gates, ways and areas are where they stand', () => {
   assert.equal(links.of(0), before, 'kept until something changes');
   scene.apply(scene.edits({ map: 0, cells: [{ layer: 0, x: 4, y: 2, sign: 'd' }] }));
   assert.equal(of(0, 'gate').length, 2);
+});
+
+test('names that are taken or used are refused in words; a find takes its gates along', () => {
+  const scene = new SceneDocument(
+    printed(
+      {
+        textures: { grey: '#808080', red: '#ff0000' },
+        blueprints: {
+          wall: { faces: 'grey' },
+          door: { faces: 'grey', gate: { needs: ['shell', 'shell'] } },
+        },
+        game: { aim: 'Out', needs: 'shell' },
+        maps: [
+          { name: 'yard', levels: [['..']], objects: [{ sprite: 'a', x: 1, y: 0, find: 'shell' }] },
+          { name: 'hall', levels: [['..']] },
+        ],
+      },
+      '',
+    ),
+  );
+  assert.match(namedChange(scene, ['maps', 0, 'name'], 'hall').words, /another map.*"hall"/);
+  assert.match(renameChange(scene, ['textures', 'red'], 'grey').words, /another texture/);
+  assert.match(renameChange(scene, ['textures', 'red'], '').words, /1 to 100 characters: found 0/);
+  assert.match(
+    namedChange(scene, ['textures', 'grey'], undefined).words,
+    /used in 2 places, first in blueprints \/ wall \/ faces/,
+  );
+  assert.equal(namedChange(scene, ['textures', 'red'], undefined).words, undefined);
+  const history = new History(scene);
+  const find = ['maps', 0, 'objects', 0, 'find'];
+  history.do('Change', namedChange(scene, find, 'pearl').changes);
+  assert.deepEqual(scene.value.blueprints.door.gate.needs, ['pearl', 'pearl']);
+  assert.equal(scene.value.game.needs, 'pearl');
+  assert.deepEqual(usesOf(scene.value, 'finds', 'shell'), []);
+  assert.deepEqual(namesOf(scene.value, 'gates'), ['door']);
+  history.do('Add', [
+    { path: ['maps', 0, 'objects', 1], value: { sprite: 'a', x: 0, y: 0, find: 'pearl' } },
+  ]);
+  history.do('Change', namedChange(scene, find, 'coin').changes);
+  assert.equal(scene.value.game.needs, 'pearl', 'another find has that name');
 });

@@ -6,6 +6,8 @@
 //     const undoing = scene.apply([{ offset, length, content }]);   // in the order of the text
 //     scene.edits({ path: ['start', 'x'], value: 2.5 })             // such edits; see json-text.js
 //     scene.edits({ map: 0, cells: [{ layer: 1, x: 3, y: 4, sign: '#' }] })
+//     scene.edits({ path: ['sprites', 'oak'], name: 'elm' })        // another key
+//     scene.edits({ together: [change, ...] })                      // that touch different places
 //     scene.rows(0, 1)                                              // of a layer, as texts
 //     scene.listen(({ cells, isWhole, edits, undoing }) => ...)
 //
@@ -14,7 +16,7 @@
 
 import { findNodeAtLocation, parseTree, printParseErrorCode } from 'jsonc-parser';
 import { signsOf } from '../engine/signs.js';
-import { editsToSet } from './json-text.js';
+import { editsToRename, editsToSet } from './json-text.js';
 
 const kStrict = { disallowComments: true, allowTrailingComma: false };
 const kEscapes = /["\\\u0000-\u001f]/; // eslint-disable-line no-control-regex -- JSON's own
@@ -66,6 +68,11 @@ export class SceneDocument {
 
   // The edits that make a change.
   edits(change) {
+    if (change.together !== undefined)
+      return change.together
+        .flatMap((one) => this.edits(one))
+        .sort((one, other) => one.offset - other.offset);
+    if (change.name !== undefined) return editsToRename(this.#tree, change.path, change.name);
     return change.cells === undefined
       ? editsToSet(this.#text, this.#tree, change.path, change.value, change)
       : this.#cellEdits(change);

@@ -155,6 +155,10 @@ export class Editor {
     this.choose({ edited: copy.path });
   }
 
+  say(words) {
+    this.#tell('words', words);
+  }
+
   // What the tool does, in words.
   get about() {
     const { tool } = this;

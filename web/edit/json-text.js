@@ -4,6 +4,7 @@
 //     editsToSet(text, tree, ['start', 'x'], 2.5)              // [{offset, length, content}]
 //     editsToSet(text, tree, ['start'], undefined)             // removes it, with its comma
 //     editsToSet(text, tree, ['maps', 1], map, {insert: true}) // before what stands there
+//     editsToRename(tree, ['sprites', 'oak'], 'elm')           // the key alone
 //     printed({ a: [1, 2] }, '  ')                             // as text, indented from there on
 //
 // Edits do not overlap and are in the order of the text. New values look like those around them.
@@ -29,6 +30,12 @@ export function editsToSet(text, tree, path, value, { insert = false } = {}) {
       typeof key === 'number' ? [value] : { [key]: value },
     );
   return [insertion(text, parent, key, value)];
+}
+
+// Another key for what stands there.
+export function editsToRename(tree, path, name) {
+  const [key] = findNodeAtLocation(tree, path)?.parent?.children ?? [];
+  return key?.type === 'string' ? [{ ...rangeOf(key), content: JSON.stringify(name) }] : [];
 }
 
 // On one line if it fits, else a member a line. Rows of tiles always stand below each other.

@@ -6,6 +6,7 @@
 //     form.show(['maps', 0]);        // that value; again after each change
 //     form.show(null);
 
+import { keyed, namedChange, namesOf, renameChange } from '../names.js';
 import { valueAt } from '../things.js';
 import { kindOfValue } from './schema.js';
 
@@ -45,14 +46,23 @@ export class SchemaForm {
       this.#parent.querySelector(`[data-path="${CSS.escape(focused)}"]`)?.focus();
   }
 
-  #set(path, value, how = {}) {
+  // What refers to a name goes with it. Else words say why that cannot be, and all stays.
+  #set(path, value) {
     const key = String(path.findLast((part) => typeof part === 'string') ?? 'scene');
-    this.#editor.history.do(`Change ${key}`, [{ path, value, ...how }], `form ${path}`);
+    this.#do(`Change ${key}`, namedChange(this.#editor.scene, path, value), `form ${path}`);
+  }
+
+  #do(label, { changes, words }, key) {
+    if (words === undefined) {
+      this.#editor.history.do(label, changes, key);
+      return;
+    }
+    this.#editor.say(words);
+    this.show(this.#path);
   }
 
   #names(what) {
-    const { value } = this.#editor.scene;
-    return what === 'maps' ? value.maps.map(({ name }) => name) : Object.keys(value[what] ?? {});
+    return namesOf(this.#editor.scene.value, what);
   }
 
   // A line for each key that an object has or may have, or each element of a list.
@@ -234,7 +244,10 @@ export class SchemaForm {
     const body = document.createElement('div');
     body.className = 'inside';
     const fill = () => {
-      body.replaceChildren(...(kind === undefined ? [] : this.#membersOf(path, value)));
+      body.replaceChildren(
+        ...(keyed(path) ? [this.#renamer(path)] : []),
+        ...(kind === undefined ? [] : this.#membersOf(path, value)),
+      );
       if (!isNeeded) body.append(this.#remover(path, name));
     };
     part.append(body);
@@ -244,6 +257,28 @@ export class SchemaForm {
       this.#open[part.open ? 'add' : 'delete'](String(path));
     });
     return part;
+  }
+
+  // A field for another name; what refers to it goes along.
+  #renamer(path) {
+    const line = document.createElement('p');
+    line.className = 'field';
+    const label = document.createElement('label');
+    label.textContent = 'Name';
+    label.title = 'All that refers to it gets the new name, too.';
+    const input = document.createElement('input');
+    input.id = `form-${(ids += 1)}`;
+    label.htmlFor = input.id;
+    input.value = path.at(-1);
+    input.spellcheck = false;
+    input.dataset.path = `${path} rename`;
+    input.addEventListener('change', () => {
+      const name = input.value.trim();
+      this.#open.add(String([...path.slice(0, -1), name]));
+      this.#do('Rename', renameChange(this.#editor.scene, path, name), `rename ${path}`);
+    });
+    line.append(label, input);
+    return line;
   }
 
   #remover(path, name) {
