@@ -2,9 +2,12 @@
 // and then played.
 
 import assert from 'node:assert/strict';
+import { createRequire } from 'node:module';
 import { after, before, test } from 'node:test';
 import { frames, launch } from './browser.mjs';
 import { lookAt, openEditor as openTheEditor, pointOf, settle, told } from './editor-page.mjs';
+
+const kAxe = createRequire(import.meta.url).resolve('axe-core/axe.min.js');
 
 let browser;
 before(async () => {
@@ -253,6 +256,87 @@ test('handles of the start and of lamps, a copy, and Delete', async (t) => {
   assert.ok((await lamps())[0].z > z);
 });
 
+test('a portal to another map is made on the plan, and a new name of that map goes along', async (t) => {
+  const { page } = await openEditor(t);
+  await build(page, [8, 8]);
+  await told(page, () => {
+    const { history, scene } = window.slicecastEditor;
+    const [first] = scene.value.maps;
+    history.do('Add', [{ path: ['maps', 1], value: { ...first, name: 'cellar' } }]);
+  });
+  await settle(page);
+  await page.keyboard.press('KeyL');
+  const at = await planOf(page);
+  await page.mouse.click(...at(8.5, 8.9));
+  await page.selectOption('#map', '1');
+  await frames(page);
+  assert.equal((await pendingOf(page)).kind, 'portal', 'it is kept');
+  await page.mouse.click(...at(8.9, 8.5));
+  await settle(page);
+  const portals = async () => (await valueOf(page)).maps[0].portals;
+  assert.deepEqual((await portals())[0].to, { map: 'cellar', x: 9, y: 8, level: 0 });
+  await page.click('#tab-map');
+  const name = page.locator('#part-map [data-path="maps,1,name"]');
+  await name.fill('world');
+  await name.press('Tab');
+  assert.match(await page.textContent('#toast'), /another map with the name "world"/);
+  assert.equal(await name.inputValue(), 'cellar');
+  await name.fill('crypt');
+  await name.press('Tab');
+  await settle(page);
+  assert.equal((await portals())[0].to.map, 'crypt');
+  assert.equal(await page.isHidden('#problems'), true);
+  await page.click('#tab-world');
+  await page.click('#part-world summary:has-text("Sprites")');
+  const oak = page.locator('#part-world [data-path="sprites,oak rename"]');
+  await oak.fill('old oak');
+  await oak.press('Tab');
+  await settle(page);
+  assert.deepEqual(Object.keys((await valueOf(page)).sprites)[0], 'old oak');
+  await page.click('#undo');
+  await page.click('#undo');
+  assert.equal((await portals())[0].to.map, 'cellar');
+});
+
+test('by keys alone: a portal in the picture, and a way on the plan', async (t) => {
+  const { page } = await openEditor(t);
+  await build(page, [14, 14], [19, 14]);
+  await told(page, () => {
+    const { history } = window.slicecastEditor;
+    const guard = { sprite: 'oak', x: 10.5, y: 10.5, height: 0.8 };
+    history.do('Add', [{ path: ['maps', 0, 'objects', 0], value: guard }]);
+  });
+  await settle(page);
+  await page.keyboard.press('KeyL');
+  await lookAt(page, { x: 14.5, y: 16.5, z: 0.6, heading: 270, look: 0 });
+  await page.keyboard.press('Enter');
+  await lookAt(page, { x: 19.5, y: 16.5, z: 0.6, heading: 270, look: 0 });
+  await page.keyboard.press('Enter');
+  await settle(page);
+  const [portal] = (await valueOf(page)).maps[0].portals;
+  assert.deepEqual([portal.x, portal.face, portal.to.x], [14, 'south', 19]);
+  await page.keyboard.press('KeyG');
+  await page.keyboard.press('KeyO');
+  await page.keyboard.press('KeyO');
+  assert.equal(await page.getAttribute('[data-way=way]', 'aria-pressed'), 'true');
+  for (const [x, y] of [
+    [10.5, 10.5],
+    [14.5, 10.5],
+    [14.5, 12.5],
+  ]) {
+    await lookAt(page, { x, y, z: 2, heading: 0, look: 0 });
+    await page.keyboard.press('Insert');
+    await settle(page);
+  }
+  await page.keyboard.press('Enter');
+  assert.equal(await pendingOf(page), null);
+  const { path } = (await valueOf(page)).maps[0].objects[0].motion;
+  assert.deepEqual(path, [
+    { x: 14.5, y: 10.5 },
+    { x: 14.5, y: 12.5 },
+  ]);
+});
+
 test('by touch: taps make a portal, and buttons choose what is made', async (t) => {
   const { page } = await openEditor(t, '?template=meadow', {
     viewport: { width: 390, height: 844 },
@@ -277,4 +361,13 @@ test('by touch: taps make a portal, and buttons choose what is made', async (t) 
     const { width, height } = await button.boundingBox();
     assert.ok(width >= 44 && height >= 44, `${width} x ${height}`);
   }
+  await page.tap('[data-view=plan]');
+  await frames(page);
+  await page.addScriptTag({ path: kAxe });
+  const found = await told(page, async () =>
+    (await window.axe.run(document, { resultTypes: ['violations'] })).violations.map(
+      ({ id, nodes }) => [id, nodes[0].html],
+    ),
+  );
+  assert.deepEqual(found, []);
 });

@@ -14,21 +14,27 @@ const kMostLines = 6000; // of the 16,384 that a picture draws
 
 // All with the tools that work on them; else those of what is edited or pointed at.
 export function shownLinks({ links, map, tool, edited, target, scene }) {
-  const all = links.of(map);
-  if (tool.hasThings) return all;
-  const pointed =
-    target?.map === map && target.cell !== null ? blueprintAt(scene.value, map, target.cell) : null;
-  const isPointed = ({ kind, path, text }) =>
-    pointed !== null &&
-    ((kind === 'gate' && path[1] === pointed.name) || (kind === 'mover' && text === pointed.name));
-  return all.filter((link) => isPointed(link) || isOfThing(link, edited));
+  if (tool.hasThings) return links.of(map);
+  const isHere = target?.map === map && target.cell !== null;
+  const { name, blueprint } = (isHere && blueprintAt(scene.value, map, target.cell)) || {};
+  const isPointed = blueprint?.gate !== undefined || blueprint?.motion !== undefined;
+  if (!isPointed && edited === null) return [];
+  return links
+    .of(map)
+    .filter(
+      (link) =>
+        isOfThing(link, edited) ||
+        (isPointed && link.kind === 'gate' && link.path[1] === name) ||
+        (isPointed && link.kind === 'mover' && link.text === name),
+    );
 }
 
 // A link of what stands at a path, or within it.
 export function isOfThing({ path }, thing) {
   if (thing === null) return false;
   const [short, long] = path.length < thing.length ? [path, thing] : [thing, path];
-  return short.length > 1 && short.every((key, index) => key === long[index]);
+  const isOne = short.length > 1 || short[0] === 'start';
+  return isOne && short.every((key, index) => key === long[index]);
 }
 
 export function linkLines(map, links, isChosen = () => false) {

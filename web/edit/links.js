@@ -64,7 +64,7 @@ export function placesOf(value) {
   };
   return kPlaces
     .flatMap((pattern) => matchesOf(value, pattern))
-    .filter(([, place]) => typeof place?.x === 'number' && typeof place.y === 'number')
+    .filter(([, place]) => isPlaced(place))
     .map(([path, place]) => {
       const { x, y, width = 1, depth = 1 } = place;
       const isArea = path.includes('messages') || path[0] === 'game';
@@ -173,6 +173,7 @@ const link = (path, kind, map, rest) => ({
 });
 
 const list = (value) => (Array.isArray(value) ? value : []);
+const isPlaced = (at) => typeof at?.x === 'number' && typeof at.y === 'number';
 
 // ---- Portals
 
@@ -195,7 +196,7 @@ export function framesOf(value, map, { x, y, level = 0, face, to, turn = 0 }) {
 function portals(value, map) {
   return value.maps.flatMap(({ portals: all }, from) =>
     list(all).flatMap((portal, index) => {
-      if (typeof portal?.to !== 'object') return [];
+      if (!isPlaced(portal) || !isPlaced(portal.to)) return [];
       const to = portal.to.map === undefined ? from : mapNumber(value, portal.to.map);
       if (from !== map && to !== map) return [];
       const path = ['maps', from, 'portals', index];

@@ -142,10 +142,13 @@ const actions = {
   duplicate: () => editor.duplicate(),
   finish: () => editor.finish(),
   use() {
-    const { target } = editor;
-    if (target === null || editor.stroke !== null) return;
-    editor.press(target);
+    if (editor.stroke !== null) return;
+    const isAimed = editor.target === null;
+    if (isAimed) (byId('plan-view').hidden ? pictureView : plan).aim();
+    if (editor.target === null) return;
+    editor.press(editor.target);
     editor.release();
+    if (isAimed) editor.point(null);
   },
   cancel: () => editor.cancel(),
 };

@@ -80,12 +80,21 @@ export class PictureView {
     on('pointerleave', () => this.#press === null && editor.point(null));
     on('contextmenu', (event) => event.preventDefault());
     on('wheel', (event) => this.#wheel(event));
-    on('viewchange', () => this.#ask());
+    on('viewchange', () => {
+      if (this.#place === null && this.isOn && camera.isHeld) this.aim();
+      else this.#ask();
+    });
     editor.listen((what) => what === 'marks' && this.#mark());
   }
 
   stop() {
     this.#life.abort();
+  }
+
+  // Without a pointer, the middle of the picture is pointed at.
+  aim() {
+    const { left, top, width, height } = this.#caster.getBoundingClientRect();
+    this.#editor.point(this.#find(left + width / 2, top + height / 2));
   }
 
   // Where the pointer is, once more: the world has changed under it.

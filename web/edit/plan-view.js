@@ -77,6 +77,12 @@ export class PlanView {
     this.draw();
   }
 
+  // Without a pointer, the tile of the eye is pointed at.
+  aim() {
+    const view = this.#caster.currentView;
+    if (view?.map === this.#editor.mapName) this.#editor.point(this.#at(view.x, view.y));
+  }
+
   draw() {
     if (this.#isDue || this.#canvas.clientWidth === 0) return;
     this.#isDue = true;
@@ -107,8 +113,11 @@ export class PlanView {
 
   // In the plan a block is placed where one points, and replaces what stands there.
   #find(event) {
+    return this.#at(...this.#tileAt(event));
+  }
+
+  #at(x, y) {
     const { scene, map, mapName, level } = this.#editor;
-    const [x, y] = this.#tileAt(event);
     const at = { level, x: Math.floor(x), y: Math.floor(y) };
     if (!isInside(scene, map, at)) return null;
     return {

@@ -113,7 +113,10 @@ export class SchemaForm {
     field.dataset.path = String(path);
     label.htmlFor = field.id;
     if (value === undefined) line.classList.add('unset');
-    line.append(label, field);
+    if (keyed(path)) {
+      field.setAttribute('aria-label', `${key}: value`);
+      line.append(this.#nameInput(path), field);
+    } else line.append(label, field);
     const others = said.kinds.filter((other) => other !== kind && other.type !== 'text');
     const richer = others.find(({ type }) => type === 'object');
     if (richer !== undefined) line.append(this.#richer(path, richer, value));
@@ -212,7 +215,7 @@ export class SchemaForm {
   // ---- Parts that open
 
   #part(path, said, kind, value, { node, key, isNeeded }) {
-    const name = titleOf(said, key);
+    const name = keyed(path) ? key : titleOf(said, key);
     if (value === undefined) {
       const button = document.createElement('button');
       button.type = 'button';
@@ -259,17 +262,25 @@ export class SchemaForm {
     return part;
   }
 
-  // A field for another name; what refers to it goes along.
   #renamer(path) {
     const line = document.createElement('p');
     line.className = 'field';
     const label = document.createElement('label');
     label.textContent = 'Name';
-    label.title = 'All that refers to it gets the new name, too.';
-    const input = document.createElement('input');
+    const input = this.#nameInput(path);
     input.id = `form-${(ids += 1)}`;
     label.htmlFor = input.id;
+    line.append(label, input);
+    return line;
+  }
+
+  // For another name; what refers to it goes along.
+  #nameInput(path) {
+    const input = document.createElement('input');
     input.value = path.at(-1);
+    input.title = 'The name. All that refers to it gets the new one, too.';
+    input.setAttribute('aria-label', `${path.at(-1)}: name`);
+    input.className = 'name';
     input.spellcheck = false;
     input.dataset.path = `${path} rename`;
     input.addEventListener('change', () => {
@@ -277,8 +288,7 @@ export class SchemaForm {
       this.#open.add(String([...path.slice(0, -1), name]));
       this.#do('Rename', renameChange(this.#editor.scene, path, name), `rename ${path}`);
     });
-    line.append(label, input);
-    return line;
+    return input;
   }
 
   #remover(path, name) {
