@@ -253,7 +253,14 @@ test('handles of the start and of lamps, a copy, and Delete', async (t) => {
   await frames(page);
   await page.mouse.wheel(0, -100);
   await settle(page);
-  assert.ok((await lamps())[0].z > z);
+  const higher = (await lamps())[0].z;
+  assert.ok(higher > z);
+  await page.keyboard.down('Alt');
+  await drag(page, await pointOf(page, x, y, higher), await pointOf(page, x, y, higher + 0.5));
+  await page.keyboard.up('Alt');
+  const [highest] = await lamps();
+  assert.ok(Math.abs(highest.z - higher - 0.5) < 0.06, `${highest.z}`);
+  assert.deepEqual([highest.x, highest.y], [x, y]);
 });
 
 test('a portal to another map is made on the plan, and a new name of that map goes along', async (t) => {

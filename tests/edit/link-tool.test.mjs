@@ -319,3 +319,28 @@ test('finds, messages and the goal are put as things', async () => {
   assert.deepEqual(value().game.at, { x: 3, y: 1 });
   await isSound(scene);
 });
+
+test('the picture shows links with their tools, and else what is pointed at or edited', () => {
+  const { editor } = opened('link', 'gate');
+  click(editor, block(3, 2, 'south'));
+  editor.choose({ way: 'message', edited: null });
+  click(editor, floor(5.5, 4.5));
+  const gate = '#f0a34a';
+  const message = '#7fc4e8';
+  const shown = () => {
+    const colours = new Set(editor.marks.map(({ colour }) => colour));
+    return [gate, message, '#ffffff'].filter((colour) => colours.has(colour));
+  };
+  editor.choose({ edited: null });
+  editor.point(null);
+  assert.deepEqual(shown(), [gate, message]);
+  editor.choose({ tool: modules.place });
+  assert.deepEqual(shown(), []);
+  editor.point(block(6, 0, 'south'));
+  assert.deepEqual(shown(), []);
+  editor.point(block(3, 2, 'south'));
+  assert.deepEqual(shown(), [gate]);
+  editor.point(null);
+  editor.choose({ edited: ['maps', 0, 'messages', 0] });
+  assert.deepEqual(shown(), ['#ffffff'], 'what is edited is white');
+});

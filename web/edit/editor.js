@@ -10,8 +10,9 @@
 //
 // A target is {map, mapName, cell, before, face, point, thing}, where each may be null but the
 // first two: the cell that is pointed at; the free cell before its face, where a block would be
-// placed; its face; the point in units; the path of an object, a lamp or the start. Cells are
-// {level, x, y}.
+// placed; its face; the point in units; the path of a handle (handles.js). Cells are
+// {level, x, y}. Besides, `view` is 'plan' for one seen from above, and `lift` a height to which a
+// thing is dragged.
 
 import { plainKind } from './gates.js';
 import { copyOf, formPathOf, removeChanges } from './handles.js';
@@ -261,7 +262,7 @@ function changesToRemove(scene, path) {
 
 // With `isFine`, also within a cell.
 function isSamePlace(one, other, isFine) {
-  const placeOf = ({ cell, before, face, thing, point }) =>
-    JSON.stringify([cell, before, face, thing, isFine ? point : null]);
+  const placeOf = ({ cell, before, face, thing, point, lift }) =>
+    JSON.stringify([cell, before, face, thing, isFine ? [point, lift] : null]);
   return placeOf(one) === placeOf(other);
 }

@@ -128,7 +128,8 @@ const differing = (scene, changes) =>
   changes.filter(({ path, value }) => valueAt(scene.value, path) !== value);
 
 export function dragChanges(scene, path, target) {
-  const { map, point, view } = target;
+  const { map, point, view, lift } = target;
+  if (lift !== undefined) return liftChanges(scene, path, lift);
   if (point === null) return [];
   const [x, y, z] = point;
   if (!isInside(scene, map, { x, y })) return [];
@@ -165,6 +166,14 @@ export function dragChanges(scene, path, target) {
   const height = path[2] === 'baked' ? z + kLampHeight : z;
   // Seen from above, heights stay.
   return moveChanges(scene, path, isPoint || view === 'plan' ? { x, y } : { x, y, z: height });
+}
+
+// Areas and portals stand on tiles, points of ways on the ground.
+function liftChanges(scene, path, z) {
+  const isThing = path[0] === 'start' || ['objects', 'lamps'].includes(path.at(-2));
+  if (!isThing) return [];
+  const height = Math.round(Math.max(0, z) * 20) / 20;
+  return differing(scene, [set([...path, 'z'], height)]);
 }
 
 const areaMap = (value, path) =>

@@ -10,6 +10,7 @@ const kGroups = [
       ['Click', 'use the tool'],
       ['Right click, Delete', 'remove'],
       ['Middle click, Alt and click', 'choose the block that is pointed at'],
+      ['Alt, dragged', 'raise and lower a thing'],
       ['Insert, Enter', 'use the tool at the pointer, or ahead; Enter ends a way'],
       ['O', 'turn through what the tool makes'],
       ['1 to 9', 'choose a block; , and . the one before and after'],

@@ -8,6 +8,7 @@
 // one, or Alt, picks. One finger works, two fingers turn and fly.
 
 import { handlesOf } from './handles.js';
+import { valueAt } from './things.js';
 
 const kSlack = 4; // CSS pixels that a click may move
 const kNear = 14; // CSS pixels from the mark of a thing
@@ -119,6 +120,7 @@ export class PictureView {
     if (event.button !== 0) return;
     const target = this.#find(event.clientX, event.clientY);
     if (target === null) return;
+    if (event.altKey && this.#lift(target)) return;
     if (event.altKey) {
       this.#editor.pick(target);
       return;
@@ -129,6 +131,19 @@ export class PictureView {
   #begin(target, removes) {
     if (!this.#editor.tool.isFree) this.#bind(target, removes);
     this.#editor.press(target, { removes });
+  }
+
+  // With Alt, what stands at a point moves up and down. False for all else.
+  #lift(target) {
+    const { scene, mapName, tool } = this.#editor;
+    const thing = tool.hasThings && target.thing !== null ? valueAt(scene.value, target.thing) : {};
+    const { x, y, z = 0 } = thing ?? {};
+    if (x === undefined) return false;
+    const [here, above] = [z, z + 1].map((height) => this.#caster.project(x, y, height, mapName));
+    if (here === null || above === null) return false;
+    this.#press.lift = { z, perUnit: above.clientY - here.clientY, from: this.#press.y };
+    this.#editor.press(target);
+    return true;
   }
 
   // A stroke stays in the plane where it began: else each block would be put onto the one before.
@@ -226,6 +241,9 @@ export class PictureView {
 
   #find(clientX, clientY) {
     const { scene, stroke } = this.#editor;
+    const lift = this.#press?.lift;
+    if (stroke !== null && lift !== undefined)
+      return { ...stroke.targets[0], lift: lift.z + (clientY - lift.from) / lift.perUnit };
     if (stroke !== null && this.#press?.axis !== undefined) return this.#inPlane(clientX, clientY);
     const target = targetOf(this.#caster.pick(clientX, clientY), scene);
     return target === null || !this.#editor.tool.hasThings
