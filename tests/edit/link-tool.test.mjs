@@ -205,6 +205,11 @@ test('a way is clicked point by point, gets points in between, and loses them', 
   click(editor, floor(5.5, 3.5));
   click(editor, floor(5.5, 4.5));
   click(editor, floor(5.5, 2.5, { map: 1 }));
+  assert.equal(value().maps[0].objects[0].motion.path[2].map, 'hall');
+  assert.equal(editor.removeEdited(), true);
+  assert.equal(value().maps[0].objects.length, 2, 'Delete takes the last point, not the figure');
+  assert.equal(value().maps[0].objects[0].motion.path.length, 2);
+  click(editor, floor(1.5, 2.5));
   history.undo();
   click(editor, floor(2.5, 4.5));
   click(editor, floor(2.5, 4.5));
@@ -263,6 +268,12 @@ test('messages and the goal are areas that one drags', async () => {
   editor.press(floor(1.5, 4.5, { map: 1 }));
   editor.release();
   assert.deepEqual(value().game.at, { map: 'hall', x: 1, y: 4 });
+  assert.deepEqual(editor.edited, ['game']);
+  editor.press(floor(2, 5, { map: 1, thing: ['game', 'at', 'width'] }));
+  editor.point(floor(3.5, 4.5, { map: 1 }));
+  editor.release();
+  assert.deepEqual([value().game.at.width, value().game.at.x], [3, 1]);
+  assert.deepEqual(editor.edited, ['game'], 'with its texts');
   await isSound(scene);
 });
 

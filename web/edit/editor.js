@@ -15,7 +15,7 @@
 // thing is dragged.
 
 import { plainKind } from './gates.js';
-import { copyOf, formPathOf, removeChanges } from './handles.js';
+import { copyOf, formPathOf, lastPointOf, removeChanges } from './handles.js';
 import { kindsOf } from './kinds.js';
 import { isOfThing, linkLines, shownLinks } from './link-marks.js';
 import { Links } from './links.js';
@@ -137,9 +137,14 @@ export class Editor {
     return true;
   }
 
-  // What was last touched: false if nothing was.
+  // What was last touched, or the last point of a way that is being drawn: false if nothing was.
   removeEdited() {
-    const { edited, scene } = this;
+    const { edited, scene, pending } = this;
+    if (pending?.kind === 'way') {
+      const point = lastPointOf(scene, pending.path);
+      if (point !== null) this.history.do('Remove', removeChanges(scene, point));
+      return true;
+    }
     if (edited === null) return false;
     this.history.do('Remove', changesToRemove(scene, edited));
     this.choose({ edited: null });

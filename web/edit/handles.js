@@ -21,7 +21,10 @@ const kWheelLift = 0.1; // units a notch
 const kMostRadius = 16; // of a lamp, as the schema has it
 const kInner = new Set(['to', 'heading', 'radius', 'width']); // belong to what is around them
 
-export function formPathOf(path) {
+export const formPathOf = (path) => (path[0] === 'game' ? ['game'] : ownerOf(path));
+
+// What a handle belongs to.
+function ownerOf(path) {
   if (!kInner.has(path.at(-1))) return path;
   return path.at(-2) === 'motion' ? path.slice(0, -2) : path.slice(0, -1);
 }
@@ -89,11 +92,13 @@ function areas(value, map) {
 }
 
 function ofEdited(scene, map, edited) {
-  const area = areasOf(scene.value, map).find(({ path }) => String(path) === String(edited));
+  const area = areasOf(scene.value, map).find(
+    ({ path }) => String(formPathOf(path)) === String(edited),
+  );
   if (area !== undefined) {
     const { x, y, width = 1, depth = 1, bottom = 0 } = area.area;
     const corner = { x: x + width, y: y + depth, z: bottom + 0.1 };
-    return [{ path: [...edited, 'width'], kind: area.kind, ...corner }];
+    return [{ path: [...area.path, 'width'], kind: area.kind, ...corner }];
   }
   const thing = thingsOf(scene, map).find(({ path }) => String(path) === String(edited));
   if (thing === undefined) return [];
@@ -133,7 +138,7 @@ export function dragChanges(scene, path, target) {
   if (point === null) return [];
   const [x, y, z] = point;
   if (!isInside(scene, map, { x, y })) return [];
-  const of = formPathOf(path);
+  const of = ownerOf(path);
   const thing = valueAt(scene.value, of);
   if (thing === undefined) return [];
   switch (path.at(-1)) {
@@ -185,7 +190,7 @@ function headingOf(degrees) {
 }
 
 export function turnChanges(scene, path, notches) {
-  const of = formPathOf(path);
+  const of = ownerOf(path);
   if (of[2] === 'baked') {
     const { z } = valueAt(scene.value, of);
     const next = Math.round((z + Math.sign(notches) * kWheelLift) * 100) / 100;
@@ -200,7 +205,7 @@ export function turnChanges(scene, path, notches) {
 export function removeChanges(scene, path) {
   if (path[0] === 'start') return [];
   if (path.at(-1) === 'heading' || path.at(-1) === 'radius') return [];
-  const of = formPathOf(path);
+  const of = ownerOf(path);
   if (of[0] === 'game') {
     const { needs } = scene.value.game;
     return [set(needs === undefined ? ['game'] : ['game', 'at'], undefined)];
@@ -213,9 +218,15 @@ export function removeChanges(scene, path) {
   return [set(of, undefined)];
 }
 
+// The last point of a figure's way; none if it has no way.
+export function lastPointOf(scene, object) {
+  const points = valueAt(scene.value, object)?.motion?.path ?? [];
+  return points.length === 0 ? null : [...object, 'motion', 'path', points.length - 1];
+}
+
 // A copy beside it: {path, changes}; null for what there is only once.
 export function copyOf(scene, edited) {
-  const path = formPathOf(edited);
+  const path = ownerOf(edited);
   const isListed = ['objects', 'lamps', 'messages'].includes(path.at(-2));
   const original = isListed ? valueAt(scene.value, path) : undefined;
   if (original === undefined) return null;

@@ -33,7 +33,7 @@ export function shownLinks({ links, map, tool, edited, target, scene }) {
 export function isOfThing({ path }, thing) {
   if (thing === null) return false;
   const [short, long] = path.length < thing.length ? [path, thing] : [thing, path];
-  const isOne = short.length > 1 || short[0] === 'start';
+  const isOne = short.length > 1 || ['start', 'game'].includes(short[0]);
   return isOne && short.every((key, index) => key === long[index]);
 }
 

@@ -40,14 +40,13 @@ export class PlanLinks {
 
   // Of what is edited: its heading, its radius, its corner.
   #handles(context, { scene, map, edited, pending }, scale) {
-    for (const { path, kind, x, y } of handlesOf(scene, map, edited)) {
+    const handles = handlesOf(scene, map, edited);
+    const middle = handles.find(({ path }) => String(path) === String(edited));
+    for (const { path, kind, x, y } of handles) {
       const last = path.at(-1);
       const isOwn = isOfThing({ path }, edited) || isOfThing({ path }, pending?.path ?? null);
       if (!isOwn) continue;
       const pen = new Pen(context, scale, '#ffffff', false, []);
-      const middle = handlesOf(scene, map, null).find(
-        (other) => String(other.path) === String(edited),
-      );
       if (kind === 'radius' && middle) {
         pen.ring([middle.x, middle.y], x - middle.x);
         pen.knob([x, y]);
