@@ -198,6 +198,26 @@ test('a block becomes a gate, is opened by a find or another gate, and is plain 
   assert.match(words.at(-1), /^Click a block to make it a gate/);
 });
 
+test('a gate of two blocks sinks as a whole, and one walks over it', async () => {
+  const { scene, editor, history, value } = opened('link', 'gate');
+  const walls = [0, 1].flatMap((level) =>
+    [1, 2, 3, 4, 5, 6].map((x) => ({ layer: level, x, y: 2, sign: '#' })),
+  );
+  history.do('Wall', [
+    { path: ['maps', 0, 'levels', 1], value: kYard },
+    { map: 0, cells: walls },
+  ]);
+  click(editor, block(1, 2, 'north'));
+  click(editor, floor(1.5, 1.5));
+  click(editor, block(1, 2, 'north', { level: 1 }));
+  assert.equal(Object.values(value().motions).at(-1).to, -2);
+  history.do('Start', [{ path: ['start', 'heading'], value: 90 }]);
+  const running = await load(JSON.parse(scene.text));
+  running.step(240, { forward: 1 });
+  assert.ok(running.currentView.y > 4, `${running.currentView.y}`);
+  running.free();
+});
+
 test('a way is clicked point by point, gets points in between, and loses them', async () => {
   const { scene, editor, value, history } = opened('link', 'way');
   const guard = ['maps', 0, 'objects', 0];

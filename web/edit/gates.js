@@ -51,9 +51,30 @@ export function gateAt(scene, map, cell) {
   const { low, high } = extentOf(blueprint);
   const isSlope = [blueprint.top, blueprint.bottom].some(Array.isArray);
   if (isSlope) return { words: 'Found a slope: choose a block with a level top as a gate.' };
-  const away = { moves: 'top', to: Math.round((low - high) * 100) / 100 };
-  const { motion, changes } = motionFor(scene, 'into the ground', away);
+  const made = sunkGate(scene, map, cell, found, high - low);
+  // One above another opens as one: its top sinks below them all.
+  const stack = stackOf(scene, map, cell, made.name);
+  if (stack === 0) return made;
+  const { motion, changes } = sinking(scene, high - low + stack);
+  const path = ['blueprints', made.name, 'motion'];
+  return { name: made.name, changes: [...made.changes, ...changes, { path, value: motion }] };
+}
+
+const sinking = (scene, height) =>
+  motionFor(scene, 'into the ground', { moves: 'top', to: -Math.round(height * 100) / 100 });
+
+function sunkGate(scene, map, cell, { name, blueprint }, height) {
+  const { motion, changes } = sinking(scene, height);
   return ownKind(scene, map, cell, `${name} gate`, { ...blueprint, motion, gate: kGate }, changes);
+}
+
+// How many cells of that kind stand directly above and below.
+function stackOf(scene, map, { level, x, y }, name) {
+  let count = 0;
+  for (const step of [1, -1])
+    for (let at = level + step; ; at += step, ++count)
+      if (blueprintAt(scene.value, map, { level: at, x, y })?.name !== name) break;
+  return count;
 }
 
 export function openedByFind(scene, name, object) {
