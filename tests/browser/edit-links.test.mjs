@@ -293,6 +293,20 @@ test('a portal to another map is made on the plan, and a new name of that map go
   await settle(page);
   assert.equal((await portals())[0].to.map, 'crypt');
   assert.equal(await page.isHidden('#problems'), true);
+  await page.click('#tab-kind');
+  const kind = page.locator('#part-kind [data-path$=" rename"]');
+  const before = await kind.inputValue();
+  await kind.fill('rampart');
+  await kind.press('Tab');
+  await settle(page);
+  assert.equal(await kind.inputValue(), 'rampart', 'the form stays');
+  const { blueprints, legend } = await valueOf(page);
+  assert.deepEqual(
+    [before, 'rampart'].map((one) => Object.hasOwn(blueprints, one)),
+    [false, true],
+  );
+  assert.ok(Object.values(legend).includes('rampart'));
+  await page.click('#undo');
   await page.click('#tab-world');
   await page.click('#part-world summary:has-text("Sprites")');
   const oak = page.locator('#part-world [data-path="sprites,oak rename"]');

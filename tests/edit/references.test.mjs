@@ -7,7 +7,7 @@ import path from 'node:path';
 import { test } from 'node:test';
 
 import { shippedScenes } from '../wasm/load.mjs';
-import { editModules } from './modules.mjs';
+import { editModules, seededRandom } from './modules.mjs';
 
 const {
   History,
@@ -287,4 +287,35 @@ test('names that are taken or used are refused in words; a find takes its gates 
   ]);
   history.do('Change', namedChange(scene, find, 'coin').changes);
   assert.equal(scene.value.game.needs, 'pearl', 'another find has that name');
+});
+
+test('a scene that is damaged at any place has links or none, but no line to nowhere', () => {
+  const text = readFileSync(
+    shippedScenes.find((file) => file.includes('wayhouse-hunt')),
+    'utf8',
+  );
+  const random = seededRandom(7);
+  for (let round = 0; round < 120; ++round) {
+    const value = JSON.parse(text);
+    let node = value;
+    for (let depth = 0; ; ++depth) {
+      const keys = Object.keys(node);
+      const key = keys[random(keys.length)];
+      if (key === undefined) break;
+      const child = node[key];
+      const isEnd = typeof child !== 'object' || child === null || (depth > 1 && random(3) === 0);
+      if (isEnd) {
+        node[key] = [null, 'constructor', -1, {}, [], 1e30][random(6)];
+        break;
+      }
+      node = child;
+    }
+    if (!Array.isArray(value.maps) || value.maps.length === 0) continue;
+    if (!value.maps.every((map) => typeof map === 'object' && map !== null)) continue;
+    const links = new Links(new SceneDocument(JSON.stringify(value)));
+    value.maps.forEach((_, map) => {
+      for (const { from, to } of linkLines('', links.of(map)))
+        assert.ok([...from, ...to].every(Number.isFinite));
+    });
+  }
 });

@@ -9,7 +9,7 @@
 //     formPathOf(path)                           // of the value whose form is shown
 
 import { isInside } from './cells.js';
-import { mapNumber, framesOf, middleOf, startMap } from './links.js';
+import { framesOf, isPlaced, mapNumber, middleOf, startMap } from './links.js';
 import { movedEnd, portalEnd } from './portal-ends.js';
 import { moveChanges, thingsOf, valueAt } from './things.js';
 
@@ -43,7 +43,7 @@ export function handlesOf(scene, map, edited) {
 function portalEnds(value, map) {
   return value.maps.flatMap(({ portals = [] }, from) =>
     portals.flatMap((portal, index) => {
-      if (typeof portal?.to !== 'object') return [];
+      if (!isPlaced(portal) || !isPlaced(portal.to)) return [];
       const path = ['maps', from, 'portals', index];
       const to = portal.to.map === undefined ? from : mapNumber(value, portal.to.map);
       const frames = from === map || to === map ? framesOf(value, from, portal) : null;

@@ -40,7 +40,9 @@ export function isOfThing({ path }, thing) {
 export function linkLines(map, links, isChosen = () => false) {
   const lines = links.flatMap((link) => {
     const colour = isChosen(link) ? '#ffffff' : kLinkLooks[link.kind].colour;
-    return linesOf(link).map(([from, to]) => ({ map, from, to, colour }));
+    return linesOf(link)
+      .filter((ends) => ends.flat().every(Number.isFinite))
+      .map(([from, to]) => ({ map, from, to, colour }));
   });
   return lines.slice(0, kMostLines);
 }

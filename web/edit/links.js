@@ -84,8 +84,9 @@ export function blueprintAt(value, map, { level, x, y }) {
   const { levels = [], legend } = value.maps[map];
   const sign = signsOf(levels[level]?.[y] ?? '')[x];
   const name = legend?.[sign] ?? value.legend?.[sign];
-  const blueprint = value.blueprints?.[name];
-  return blueprint === undefined ? null : { name, blueprint };
+  const { blueprints = {} } = value;
+  const isKnown = Object.hasOwn(blueprints, name ?? '') && blueprints[name] !== null;
+  return isKnown ? { name, blueprint: blueprints[name] } : null;
 }
 
 export function turned(side, degrees) {
@@ -141,8 +142,18 @@ export class Links {
   }
 
   of(map) {
-    if (!this.#known.has(map)) this.#known.set(map, linksOf(this.#scene.value, map));
+    if (!this.#known.has(map)) this.#known.set(map, this.#read(map));
     return this.#known.get(map);
+  }
+
+  // A scene with faults, as it is while somebody types, may have none.
+  #read(map) {
+    try {
+      return linksOf(this.#scene.value, map);
+    } catch (error) {
+      if (!(error instanceof TypeError)) throw error;
+      return [];
+    }
   }
 }
 
@@ -173,7 +184,7 @@ const link = (path, kind, map, rest) => ({
 });
 
 const list = (value) => (Array.isArray(value) ? value : []);
-const isPlaced = (at) => typeof at?.x === 'number' && typeof at.y === 'number';
+export const isPlaced = (at) => typeof at?.x === 'number' && typeof at.y === 'number';
 
 // ---- Portals
 
@@ -333,8 +344,9 @@ function openedBy({ needs, follows, approach, every, keyed = follows === undefin
 
 function movers(value, map) {
   return Object.entries(value.blueprints ?? {}).flatMap(([name, { motion, gate }]) => {
-    const how = value.motions?.[motion];
-    if (how === undefined || gate !== undefined) return [];
+    const { motions = {} } = value;
+    if (gate !== undefined || !Object.hasOwn(motions, motion ?? '')) return [];
+    const how = motions[motion];
     const axis = { x: 0, y: 1, z: 2 }[how.along ?? 'z'];
     return groupsOf(value, map, name).map(({ area }) => {
       const ends = [how.from ?? 0, how.to].map((by) => {

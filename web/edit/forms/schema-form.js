@@ -41,7 +41,8 @@ export class SchemaForm {
     const focused = this.#parent.contains(document.activeElement)
       ? document.activeElement.dataset.path
       : undefined;
-    this.#parent.replaceChildren(...this.#membersOf(path, value));
+    const name = keyed(path) ? [this.#renamer(path)] : [];
+    this.#parent.replaceChildren(...name, ...this.#membersOf(path, value));
     if (focused !== undefined)
       this.#parent.querySelector(`[data-path="${CSS.escape(focused)}"]`)?.focus();
   }
@@ -286,7 +287,10 @@ export class SchemaForm {
     input.addEventListener('change', () => {
       const name = input.value.trim();
       this.#open.add(String([...path.slice(0, -1), name]));
-      this.#do('Rename', renameChange(this.#editor.scene, path, name), `rename ${path}`);
+      const isWhole = String(path) === String(this.#path);
+      const change = renameChange(this.#editor.scene, path, name);
+      if (isWhole && change.words === undefined) this.#path = [path[0], name];
+      this.#do('Rename', change, `rename ${path}`);
     });
     return input;
   }
