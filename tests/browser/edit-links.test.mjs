@@ -132,6 +132,45 @@ test('on the plan the nearest side of a block counts; an end is dragged there', 
   assert.deepEqual((await valueOf(page)).maps[0].portals, []);
 });
 
+test('on the plan a gate gets its find, messages are drawn, and blocks get a way', async (t) => {
+  const { page } = await openEditor(t);
+  await build(page, [8, 8], [20, 14]);
+  const at = await planOf(page);
+  await page.keyboard.press('KeyT');
+  await page.click('#palette [data-key="find shell"]');
+  await page.mouse.click(...at(12.5, 8.5));
+  await settle(page);
+  await page.keyboard.press('KeyL');
+  await page.click('[data-way=gate]');
+  await page.mouse.click(...at(8.5, 8.5));
+  await page.mouse.click(...at(12.5, 8.5));
+  await page.keyboard.press('Escape');
+  await settle(page);
+  const { blueprints } = await valueOf(page);
+  const { gate } = Object.values(blueprints).find((one) => one.gate);
+  assert.equal(gate.needs, 'shell');
+  await page.click('[data-way=message]');
+  await drag(page, at(4.5, 20.5), at(6.5, 21.5));
+  assert.equal((await valueOf(page)).maps[0].messages[0].width, 3);
+  await page.fill('#part-thing [data-path$=",text"]', 'Mind the step.');
+  await page.keyboard.press('Tab');
+  await page.click('[data-way=way]');
+  await page.mouse.click(...at(20.5, 14.5));
+  await page.mouse.click(...at(24.5, 14.5));
+  await settle(page);
+  const { maps, motions } = await valueOf(page);
+  assert.equal(maps[0].messages[0].text, 'Mind the step.');
+  assert.deepEqual(
+    Object.values(motions).map(({ along = 'z', to }) => [along, to]),
+    [
+      ['z', -1],
+      ['x', 4],
+    ],
+  );
+  assert.equal(await page.isHidden('#problems'), true);
+  assert.equal((await page.textContent('.legend')).trim(), 'GateMoving blockMessageFind');
+});
+
 test('find the key, open the gate, leave: a game made without a word of text', async (t) => {
   const { page } = await openEditor(t);
   await build(page, ...Array.from({ length: 32 }, (_, x) => [x, 15]));
