@@ -302,7 +302,7 @@ test('handles of the start and of lamps, a copy, and Delete', async (t) => {
   assert.deepEqual([highest.x, highest.y], [x, y]);
 });
 
-test('a portal to another map is made on the plan, and a new name of that map goes along', async (t) => {
+test('a portal to another map, made on the plan, takes a new name of that map along', async (t) => {
   const { page } = await openEditor(t);
   await build(page, [8, 8]);
   await told(page, () => {

@@ -170,7 +170,7 @@ test('an end of a portal is dragged, and right click removes it', async () => {
   assert.equal(value().maps[0].portals.length, 1);
 });
 
-test('a block becomes a gate, is opened by a find or another gate, and is plain again', async () => {
+test('a block becomes a gate, opens by a find or another gate, is plain again', async () => {
   const { scene, editor, words, value } = opened('link', 'gate');
   click(editor, block(3, 2, 'south'));
   assert.equal(scene.rows(0, 0)[2].slice(0, 3), '#..');
