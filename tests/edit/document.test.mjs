@@ -125,7 +125,8 @@ test('filled and repeated levels have rows, which are written out where a cell c
 `;
   const { scene, history } = opened(text);
   assert.deepEqual(sizeOf(scene, 0), { width: 4, depth: 3, levels: 6 });
-  const rows = () => scene.levels(0).map((_, level) => scene.rows(0, level));
+  const rows = () =>
+    Array.from({ length: sizeOf(scene, 0).levels }, (_, level) => scene.rows(0, level));
   const ring = ['....', '.ooo', '....'];
   const before = [['####', '#..o', '####'], [], ring, [], ring, ['...#', '....', '....']];
   assert.deepEqual(rows(), before);

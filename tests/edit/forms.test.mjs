@@ -15,7 +15,14 @@ const kSchema = JSON.parse(
 );
 const ajv = new Ajv({ strict: true, strictTypes: false, strictRequired: false });
 const names = (what) =>
-  ({ textures: ['brick'], sprites: ['oak'], maps: ['yard'], motions: ['lift'] })[what];
+  ({
+    textures: ['brick'],
+    sprites: ['oak'],
+    maps: ['yard'],
+    motions: ['lift'],
+    gates: ['door'],
+    finds: ['shell'],
+  })[what];
 
 // Every part of the schema that is a value of some key, with where it was found.
 function* parts(schema, node, at, seen) {

@@ -50,6 +50,11 @@ export class CanvasView {
     editor.listen(() => this.draw());
   }
 
+  // Without a pointer, the middle is pointed at.
+  aim() {
+    this.editor.point(this.find(this.placeAt(this.#middle()), {}));
+  }
+
   grab() {
     return null;
   }

@@ -8,12 +8,12 @@
 //     const signAt = signReader(scene, 0);    signAt(level, x, y)   // for many cells
 
 import { signsOf } from '../engine/signs.js';
-import { entriesOf, kEmpty, kMostLevels, sizeOfMap } from './levels.js';
+import { entriesOf, kEmpty, kMostLevels, levelsOf, sizeOfMap } from './levels.js';
 
 export { kEmpty, kMostLevels };
 
-export function sizeOf(scene, map) {
-  return { ...sizeOfMap(scene.value.maps[map]), levels: scene.levels(map).length };
+export function sizeOf({ value: { maps } }, map) {
+  return { ...sizeOfMap(maps[map]), levels: levelsOf(maps[map]).length };
 }
 
 // Reads many cells: what scene.sign() says, each row split once.
@@ -58,7 +58,7 @@ export function cellChanges(scene, map, cells) {
 // From the top down, so that no entry moves before its turn.
 function missingLevels(scene, map, layers, empty) {
   const path = (entry) => ['maps', map, 'levels', entry];
-  const levels = scene.levels(map);
+  const levels = levelsOf(scene.value.maps[map]);
   const numbers = [...layers].filter((layer) => typeof layer === 'number');
   const changes = [];
   for (let level = levels.length; level <= Math.max(-1, ...numbers); ++level) {

@@ -9,7 +9,8 @@ export function differences(before, after, path) {
   const values = [];
   const removed = [];
   compare(before, after, path);
-  return [...(values.length > 0 ? [{ values }] : []), ...removed.reverse()]; // the last ones first
+  const set = values.length > 0 ? [{ together: values }] : [];
+  return [...set, ...removed.reverse()]; // the last ones first
 
   function compare(one, other, at) {
     if (one === other) return;

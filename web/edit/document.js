@@ -7,7 +7,8 @@
 //     scene.edits({ path: ['start', 'x'], value: 2.5 })             // such edits; see json-text.js
 //     scene.edits({ map: 0, cells: [{ layer: 1, x: 3, y: 4, sign: '#' }] })
 //     scene.edits({ text: '...' })                                  // another text as a whole
-//     scene.edits({ values: [{ path, value }, ...] })               // several, but no removals
+//     scene.edits({ path: ['sprites', 'oak'], name: 'elm' })        // another key
+//     scene.edits({ together: [change, ...] })                      // that touch different places
 //     scene.edits({ path: ['maps', 0, 'objects'], removed: [2, 3] })  // of a list
 //     scene.rows(0, 1)                                              // of a layer, as texts
 //     scene.listen(({ cells, isWhole, edits, undoing }) => ...)
@@ -18,7 +19,7 @@
 
 import { findNodeAtLocation, parseTree, printParseErrorCode } from 'jsonc-parser';
 import { signsOf } from '../engine/signs.js';
-import { editsToBecome, editsToRemove, editsToSet } from './json-text.js';
+import { editsToBecome, editsToRemove, editsToRename, editsToSet } from './json-text.js';
 import { levelsOf } from './levels.js';
 
 const kStrict = { disallowComments: true, allowTrailingComma: false };
@@ -30,7 +31,6 @@ export class SceneDocument {
   #value;
   #rows = []; // {map, layer, entry, y, node} of each row of tiles, in the text's order
   #layers = new Map(); // 'map layer' -> those of one layer
-  #levels = []; // of each map, as levelsOf() has them
   #listeners = [];
 
   mistake = null; // {offset, length, message}
@@ -56,12 +56,7 @@ export class SceneDocument {
   // The rows of a layer; none if it has none of its own.
   rows(map, layer) {
     const written = this.#layers.get(`${map} ${layer}`);
-    return written?.map(({ node }) => node.value) ?? this.#levels[map]?.[layer]?.rows ?? [];
-  }
-
-  // The levels of a map: {entry, isWritten, rows}; see levels.js.
-  levels(map) {
-    return this.#levels[map] ?? [];
+    return written?.map(({ node }) => node.value) ?? this.#levelsOf(map)[layer]?.rows ?? [];
   }
 
   // The keys of an object, in the order of the text; JavaScript lists whole numbers first.
@@ -73,7 +68,7 @@ export class SceneDocument {
   // What stands in a cell: '.' also where there is no row.
   sign(map, layer, x, y) {
     const written = this.#layers.get(`${map} ${layer}`);
-    const row = written?.[y]?.node.value ?? this.#levels[map]?.[layer]?.rows[y];
+    const row = written?.[y]?.node.value ?? this.#levelsOf(map)[layer]?.rows[y];
     return row === undefined ? '.' : (signsOf(row)[x] ?? '.');
   }
 
@@ -83,7 +78,11 @@ export class SceneDocument {
     if (change.text !== undefined) return editsToBecome(this.#text, change.text);
     if (change.removed !== undefined)
       return editsToRemove(this.#text, this.#tree, change.path, change.removed);
-    if (change.values !== undefined) return this.#valueEdits(change.values);
+    if (change.together !== undefined)
+      return change.together
+        .flatMap((one) => this.edits(one))
+        .sort((one, other) => one.offset - other.offset);
+    if (change.name !== undefined) return editsToRename(this.#tree, change.path, change.name);
     return editsToSet(this.#text, this.#tree, change.path, change.value, change);
   }
 
@@ -126,14 +125,18 @@ export class SceneDocument {
     this.#findRows();
   }
 
+  // Also of a scene with faults.
+  #levelsOf(map) {
+    return levelsOf(this.#value.maps?.[map] ?? {});
+  }
+
   #findRows() {
     this.#rows = [];
     this.#layers.clear();
     const maps = member(this.#tree, 'maps')?.children ?? [];
-    this.#levels = maps.map((_, index) => levelsOf(this.#value.maps[index] ?? {}));
     maps.forEach((map, index) => {
       const entries = member(map, 'levels')?.children ?? [];
-      const layers = this.#levels[index]
+      const layers = this.#levelsOf(index)
         .map(({ entry, isWritten }, level) => [
           level,
           isWritten ? entries[entry] : undefined,
@@ -210,13 +213,6 @@ export class SceneDocument {
     const { levels, floor, ceiling } = this.#value.maps[map];
     if (layer === 'floor') return floor.tiles;
     return layer === 'ceiling' ? ceiling.tiles : levels[entry];
-  }
-
-  // Values that do not lie within each other, set together: the text is read once.
-  #valueEdits(values) {
-    return values
-      .flatMap(({ path, value }) => editsToSet(this.#text, this.#tree, path, value))
-      .sort((one, other) => one.offset - other.offset);
   }
 
   // Each row's changed signs, as one edit for each run of neighbours.

@@ -6,14 +6,19 @@
 //     editor.point(target);                       // the pointer is there; null: nowhere
 //     editor.press(target, { removes: false });   // a stroke begins, goes on by point()
 //     editor.release();
-//     editor.listen((what) => ...);               // 'choice', 'marks'
+//     editor.listen((what, words) => ...);        // 'choice', 'marks', 'words' for the user
 //
 // A target is {map, mapName, cell, before, face, point, thing}, where each may be null but the
 // first two: the cell that is pointed at; the free cell before its face, where a block would be
-// placed; its face; the point in units; the path of an object, a lamp or the start. Cells are
-// {level, x, y}.
+// placed; its face; the point in units; the path of a handle (handles.js). Cells are
+// {level, x, y}. Besides, `view` is 'plan' for one seen from above, and `lift` a height to which a
+// thing is dragged.
 
+import { plainKind } from './gates.js';
+import { copyOf, formPathOf, lastPointOf, removeChanges } from './handles.js';
 import { kindsOf } from './kinds.js';
+import { isOfThing, linkLines, shownLinks } from './link-marks.js';
+import { Links } from './links.js';
 import { kBrass, linesOf } from './mark-lines.js';
 import { outlineOf } from './selection.js';
 import { valueAt } from './things.js';
@@ -31,7 +36,8 @@ export class Editor {
   tool;
   sign = '';
   texture = null; // to paint with
-  thing = null; // to put: 'start', 'lamp', or {name, height} of a sprite
+  thing = null; // to put: 'start', 'lamp', 'message', 'goal', {find}, or a sprite's {name, height}
+  pending = null; // {kind, ...}: what the tool has begun, and goes on with the next click
   edited = null; // the path of the thing that was last touched
   section = null; // {axis, at} of the side view, while it is in use; see section.js
   isWhole = false; // Shift is held
@@ -46,6 +52,7 @@ export class Editor {
     this.scene = scene;
     this.history = history;
     this.tool = tool;
+    this.links = new Links(scene);
     scene.listen(() => this.#check());
     this.#check();
   }
@@ -55,7 +62,10 @@ export class Editor {
   }
 
   choose(choice) {
+    const { tool, way } = this;
     Object.assign(this, choice);
+    if ((this.tool !== tool || this.way !== way) && choice.pending === undefined)
+      this.pending = null;
     this.#check();
     this.#tell('choice');
     this.#tell('marks');
@@ -84,6 +94,12 @@ export class Editor {
 
   // The lines to show over the picture.
   get marks() {
+    const { edited } = this;
+    const links = linkLines(this.mapName, shownLinks(this), (link) => isOfThing(link, edited));
+    return [...links, ...this.toolMarks];
+  }
+
+  get toolMarks() {
     if (this.#stroke !== null && this.tool.show !== undefined)
       return this.tool.show(this.#stroke, this.#context);
     const lines = this.#target === null ? [] : this.tool.point(this.#target, this.#context);
@@ -141,7 +157,7 @@ export class Editor {
     this.#stroke = { key: `stroke ${strokes}`, targets: [target], removes, adds, height: 0 };
     this.#target = target;
     if (this.tool.hasThings && !removes && target.thing !== null)
-      this.choose({ edited: target.thing });
+      this.choose({ edited: formPathOf(target.thing) });
     this.#drag();
     this.#tell('marks');
   }
@@ -152,7 +168,7 @@ export class Editor {
     if (stroke === null) return;
     const context = { ...this.#context, removes: stroke.removes };
     const selection = this.tool.select?.(stroke, context);
-    if (this.tool.end !== undefined) this.#do(this.tool.end(stroke, context), stroke);
+    if (this.tool.end !== undefined) this.#take(this.tool.end(stroke, context), stroke);
     this.history.close();
     if (stroke.isDone && selection !== undefined) this.remember(this.selection, selection);
     if (selection !== undefined) this.choose({ selection });
@@ -164,7 +180,49 @@ export class Editor {
     const stroke = this.#stroke;
     this.#stroke = null;
     if (stroke?.isDone) this.history.undo();
+    if (stroke === null && this.pending !== null) this.choose({ pending: null });
     this.#tell('marks');
+  }
+
+  // Ends a way, whatever number of points it has. False if there is none.
+  finish() {
+    if (this.pending?.kind !== 'way') return false;
+    this.choose({ pending: null });
+    return true;
+  }
+
+  // What was last touched, or the last point of a way that is being drawn: false if nothing was.
+  removeEdited() {
+    const { edited, scene, pending } = this;
+    if (pending?.kind === 'way') {
+      const point = lastPointOf(scene, pending.path);
+      if (point !== null) this.history.do('Remove', removeChanges(scene, point));
+      return true;
+    }
+    if (edited === null) return false;
+    this.history.do('Remove', changesToRemove(scene, edited));
+    this.choose({ edited: null });
+    return true;
+  }
+
+  duplicate() {
+    const copy = this.edited === null ? null : copyOf(this.scene, this.edited);
+    if (copy === null) {
+      this.#tell('words', 'Choose an object, a lamp or a message first: these can be copied.');
+      return;
+    }
+    this.history.do('Duplicate', copy.changes);
+    this.choose({ edited: copy.path });
+  }
+
+  say(words) {
+    this.#tell('words', words);
+  }
+
+  // What the tool does, in words.
+  get about() {
+    const { tool } = this;
+    return tool.help?.(this.#context) ?? tool.about;
   }
 
   // Notches of the wheel, up positive. False if the tool has no use for them.
@@ -176,8 +234,9 @@ export class Editor {
     }
     if (this.tool.turn === undefined || this.#target === null) return false;
     const changes = this.tool.turn(this.#target, notches, this.#context);
-    const { cell } = this.#target;
-    this.history.do(this.tool.label, changes, `turn ${JSON.stringify(cell)}`);
+    if (changes === null) return false;
+    const { cell, thing } = this.#target;
+    this.history.do(this.tool.label, changes, `turn ${JSON.stringify(thing ?? cell)}`);
     this.#tell('marks');
     return true;
   }
@@ -192,8 +251,12 @@ export class Editor {
 
   get #context() {
     const { scene, sign, texture, thing, way, isWhole, selection, brush, world } = this;
+    const { links, edited, pending } = this;
     const removes = this.#stroke?.removes ?? false;
-    return { scene, sign, texture, thing, way, isWhole, selection, brush, world, removes };
+    return {
+      ...{ scene, sign, texture, thing, way, isWhole, selection, brush, world },
+      ...{ links, edited, pending, removes },
+    };
   }
 
   #drag() {
@@ -201,10 +264,23 @@ export class Editor {
       this.#do(this.tool.drag(this.#stroke, this.#context), this.#stroke);
   }
 
-  #do(changes, stroke) {
+  // A tool gives changes, or also what is chosen then: {changes, label, words, edited, pending}.
+  #take(answer, stroke) {
+    const {
+      changes = [],
+      label,
+      words,
+      ...choice
+    } = Array.isArray(answer) ? { changes: answer } : answer;
+    this.#do(changes, stroke, label);
+    if (Object.keys(choice).length > 0) this.choose(choice);
+    if (words !== undefined) this.#tell('words', words);
+  }
+
+  #do(changes, stroke, label = this.tool.label) {
     if (changes.length === 0) return;
     stroke.isDone = true;
-    this.history.do(stroke.removes ? 'Remove' : this.tool.label, changes, stroke.key);
+    this.history.do(stroke.removes ? 'Remove' : label, changes, stroke.key);
   }
 
   // What was chosen may be gone.
@@ -220,18 +296,37 @@ export class Editor {
     this.thing ??= 'start';
     if (this.edited !== null && valueAt(this.scene.value, this.edited) === undefined)
       this.edited = null;
+    const { ways } = this.tool ?? {};
+    if (ways !== undefined && !ways.includes(this.way)) this.way = ways[0];
+    if (this.pending !== null && !isStillThere(this.scene.value, this.pending)) this.pending = null;
     if (!Object.hasOwn(textures, this.texture ?? ''))
       this.texture = Object.keys(textures)[0] ?? null;
   }
 
-  #tell(what) {
-    for (const listener of this.#listeners) listener(what);
+  #tell(what, words) {
+    for (const listener of this.#listeners) listener(what, words);
   }
+}
+
+// After an undo, what was begun may be gone.
+function isStillThere({ maps, blueprints }, { path, name, map, end }) {
+  if (path !== undefined && valueAt({ maps, blueprints }, path) === undefined) return false;
+  if (name !== undefined && blueprints?.[name]?.gate === undefined) return false;
+  return (map ?? end?.map ?? 0) < maps.length;
+}
+
+// Blocks become plain; the kinds stay.
+function changesToRemove(scene, path) {
+  const { blueprints = {} } = scene.value;
+  if (path[0] === 'blueprints') return plainKind(scene, path[1]);
+  if (path[0] !== 'motions') return removeChanges(scene, path);
+  const names = Object.keys(blueprints).filter((name) => blueprints[name].motion === path[1]);
+  return names.flatMap((name) => plainKind(scene, name));
 }
 
 // With `isFine`, also within a cell.
 function isSamePlace(one, other, isFine) {
-  const placeOf = ({ cell, before, face, thing, point }) =>
-    JSON.stringify([cell, before, face, thing, isFine ? point : null]);
+  const placeOf = ({ cell, before, face, thing, point, lift }) =>
+    JSON.stringify([cell, before, face, thing, isFine ? [point, lift] : null]);
   return placeOf(one) === placeOf(other);
 }

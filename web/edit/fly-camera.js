@@ -58,6 +58,11 @@ export class FlyCamera {
     this.#held.clear();
   }
 
+  // Whether keys move the eye at present.
+  get isHeld() {
+    return this.#held.size > 0;
+  }
+
   turn(right, down) {
     const view = this.#caster.currentView;
     if (view === null) return;

@@ -5,6 +5,7 @@
 //     editsToSet(text, tree, ['start'], undefined)             // removes it, with its comma
 //     editsToRemove(text, tree, ['maps'], [0, 2])               // members of a list
 //     editsToSet(text, tree, ['maps', 1], map, {insert: true}) // before what stands there
+//     editsToRename(tree, ['sprites', 'oak'], 'elm')           // the key alone
 //     printed({ a: [1, 2] }, '  ')                             // as text, indented from there on
 //
 // Edits do not overlap and are in the order of the text. New values look like those around them.
@@ -66,6 +67,12 @@ export function editsToRemove(text, tree, path, indexes) {
     edits.push({ offset: from, length: to - from, content: '' });
   });
   return edits;
+}
+
+// Another key for what stands there.
+export function editsToRename(tree, path, name) {
+  const [key] = findNodeAtLocation(tree, path)?.parent?.children ?? [];
+  return key?.type === 'string' ? [{ ...rangeOf(key), content: JSON.stringify(name) }] : [];
 }
 
 // On one line if it fits, else a member a line. Rows of tiles always stand below each other.

@@ -10,11 +10,14 @@ const kGroups = [
       ['Click', 'use the tool'],
       ['Right click, Delete', 'remove'],
       ['Middle click, Alt and click', 'choose the block that is pointed at'],
-      ['Enter', 'use the tool where the pointer is'],
+      ['Alt, dragged', 'raise and lower a thing'],
+      ['Insert, Enter', 'use the tool at the pointer, or ahead; Enter ends a way'],
+      ['O', 'turn through what the tool makes'],
       ['1 to 9', 'choose a block; , and . the one before and after'],
       ['Escape', 'leave a stroke as if it had not begun'],
       ['Ctrl Z, Ctrl Y', 'undo, redo'],
       ['Ctrl S', 'save'],
+      ['Ctrl D', 'duplicate the thing that was chosen last'],
     ],
   ],
   [
@@ -89,6 +92,7 @@ export function listenToKeys(actions, camera, tools, { isWalking }) {
     if (ctrlKey || metaKey) {
       if (code === 'KeyZ') (shiftKey ? actions.redo : actions.undo)();
       else if (code === 'KeyY') actions.redo();
+      else if (code === 'KeyD' && !shiftKey) actions.duplicate();
       else return actions.selectionKey(event);
       return true;
     }
@@ -97,9 +101,11 @@ export function listenToKeys(actions, camera, tools, { isWalking }) {
     if (/^[1-9]$/.test(key)) actions.digit(Number(key));
     else if (code === 'Delete' || code === 'Backspace') actions.remove();
     else if (code === 'Enter') {
+      if (actions.finish()) return true;
       if (event.target.closest?.('button, a, select') !== null) return false;
       actions.use();
-    } else if (code === 'Escape') actions.cancel();
+    } else if (code === 'Insert') actions.use();
+    else if (code === 'Escape') actions.cancel();
     else if (code === 'PageUp') actions.level(1);
     else if (code === 'PageDown') actions.level(-1);
     else if (key === ',') actions.next(-1);

@@ -29,7 +29,14 @@ export function sizeOfMap(map) {
   return { width: rows.length === 0 ? 0 : signsOf(rows[0]).length, depth: rows.length };
 }
 
+const known = new WeakMap(); // rows of a map change in place, entries never
+
 export function levelsOf(map) {
+  if (!known.has(map)) known.set(map, readLevels(map));
+  return known.get(map);
+}
+
+function readLevels(map) {
   const { width, depth } = sizeOfMap(map);
   return flatLevels(map).map(({ entry, level, isRepeated }) =>
     isRows(level)

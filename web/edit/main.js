@@ -35,10 +35,12 @@ import { askName } from './small-dialogs.js';
 import { Stamps } from './stamps.js';
 import { Sync } from './sync.js';
 import { iconOf } from './tool-icons.js';
+import { ToolWays } from './tool-ways.js';
 import { Tour } from './tour.js';
 import { box } from './tools/box.js';
 import { fill } from './tools/fill.js';
 import { line } from './tools/line.js';
+import { link } from './tools/link.js';
 import { paint } from './tools/paint.js';
 import { place } from './tools/place.js';
 import { replace } from './tools/replace.js';
@@ -47,7 +49,7 @@ import { shape } from './tools/shape.js';
 import { stamp } from './tools/stamp.js';
 import { thing } from './tools/thing.js';
 
-const kTools = [place, line, box, fill, replace, paint, shape, thing, select, stamp];
+const kTools = [place, line, box, fill, replace, paint, shape, thing, link, select, stamp];
 const byId = (id) => document.getElementById(id);
 
 const caster = byId('picture');
@@ -198,16 +200,23 @@ const actions = {
   next: (by) => palette.move(by),
   remove() {
     if (selecting.remove()) return;
-    const { target } = editor;
-    if (target === null || editor.stroke !== null) return;
+    const { target, tool } = editor;
+    if (editor.stroke !== null) return;
+    if (tool.hasThings && !target?.thing && editor.removeEdited()) return;
+    if (target === null) return;
     editor.press(target, { removes: true });
     editor.release();
   },
+  duplicate: () => editor.duplicate(),
+  finish: () => editor.finish(),
   use() {
-    const { target } = editor;
-    if (target === null || editor.stroke !== null) return;
-    editor.press(target);
+    if (editor.stroke !== null) return;
+    const isAimed = editor.target === null;
+    if (isAimed) (flatView() ?? pictureView).aim();
+    if (editor.target === null) return;
+    editor.press(editor.target);
     editor.release();
+    if (isAimed) editor.point(null);
   },
   cancel: () => selecting.escape() || (flatView() ?? editor).cancel(),
   selectionKey: (event) => selecting.key(event),
@@ -245,8 +254,12 @@ byId('tools').append(
     return button;
   }),
 );
-editor.listen((what) => {
-  if (what === 'choice') showChoice();
+new ToolWays(byId('ways'), editor);
+byId('thing-copy').addEventListener('click', actions.duplicate);
+byId('thing-remove').addEventListener('click', () => editor.removeEdited());
+editor.listen((what, words) => {
+  if (what === 'words') toast(words);
+  else if (what === 'choice') showChoice();
   else showWhere();
 });
 showChoice();
@@ -254,7 +267,7 @@ showChoice();
 function showChoice() {
   for (const button of byId('tools').children)
     button.setAttribute('aria-pressed', String(button.dataset.tool === editor.tool.name));
-  byId('about').textContent = editor.tool.about;
+  byId('about').textContent = editor.about;
   byId('level').textContent = String(editor.level);
   byId('section').textContent = side.name;
   const maps = scene.value.maps.map(({ name }) => name);
@@ -288,6 +301,16 @@ async function lookAtMap() {
   caster.look({ map: editor.mapName, x: width / 2, y: depth / 2, z: 4, flying: true });
   for (const view of Object.values(flat)) view.fit();
 }
+
+// Who flies through a portal builds where it leads.
+let eyeMap = null;
+caster.addEventListener('viewchange', () => {
+  const { map } = caster.currentView ?? {};
+  if (map === eyeMap) return;
+  eyeMap = map;
+  const index = scene.value.maps.findIndex(({ name }) => name === map);
+  if (index >= 0 && index !== editor.map && editor.stroke === null) editor.choose({ map: index });
+});
 
 function setLevel(level) {
   const { levels } = sizeOf(scene, editor.map);

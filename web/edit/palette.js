@@ -6,7 +6,10 @@
 //     palette.digit(3);                       // chooses the third one
 
 import { paintBlock, paintPart, paintWhole } from './block-icons.js';
+import { kFinds } from './finds.js';
+import { kLinkLooks } from './link-looks.js';
 import { kindsOf } from './kinds.js';
+import { thing } from './tools/thing.js';
 
 const kIcon = 44; // CSS pixels
 const kAdd = {
@@ -56,6 +59,18 @@ export class Palette {
         return [
           { key: 'start', name: 'Start', choice: { thing: 'start' }, paint: paintFlag },
           { key: 'lamp', name: 'Lamp', choice: { thing: 'lamp' }, paint: paintLamp },
+          { key: 'message', name: 'Message', choice: { thing: 'message' }, paint: paintMessage },
+          { key: 'goal', name: 'Goal', choice: { thing: 'goal' }, paint: paintGoal },
+          ...kFinds.map(({ name, picture }) => ({
+            key: `find ${name}`,
+            name: `Find: ${name}`,
+            title: `A ${name} to find, which may open a gate`,
+            choice: { thing: { find: name } },
+            paint: (icon) => {
+              paintWhole(icon, this.#pictures.ofFile(picture.file, picture));
+              paintStar(icon);
+            },
+          })),
           ...Object.keys(sprites).map((name) => ({
             key: `sprite ${name}`,
             name,
@@ -100,6 +115,7 @@ export class Palette {
     if (this.#what === 'stamps') return `stamp ${brush?.name}`;
     if (this.#what === 'blocks') return sign;
     if (this.#what === 'textures') return texture;
+    if (thing?.find !== undefined) return `find ${thing.find}`;
     return thing?.name === undefined ? thing : `sprite ${thing.name}`;
   }
 
@@ -121,8 +137,10 @@ export class Palette {
     }
   }
 
+  // Things are put by the tool for them.
   #choose({ choice }) {
-    this.#editor.choose(typeof choice === 'function' ? choice() : choice);
+    const chosen = typeof choice === 'function' ? choice() : choice;
+    this.#editor.choose(this.#what === 'things' ? { tool: thing, ...chosen } : chosen);
   }
 
   #button(entry, index) {
@@ -181,10 +199,27 @@ function paintLamp(icon) {
   paintShape(icon, '#ffd98a', 'M6 2h4v1h2v2h1v4h-1v2h-2v2H6v-2H4V9H3V5h1V3h2zM6 14h4v1H6z');
 }
 
+function paintMessage(icon) {
+  paintShape(icon, kLinkLooks.message.colour, 'M2 3h12v8H8l-4 3v-3H2zM4 5v1h8V5zM4 8v1h6V8z');
+}
+
+function paintGoal(icon) {
+  paintShape(icon, kLinkLooks.goal.colour, 'M3 2h7v2H5v8h5v2H3zM8 7h4V5l3 3-3 3V9H8z');
+}
+
+// In the corner: one takes it along.
+function paintStar(icon) {
+  const context = icon.getContext('2d');
+  context.setTransform(icon.width / 16, 0, 0, icon.height / 16, 0, 0);
+  context.fillStyle = kLinkLooks.find.colour;
+  context.fill(new Path2D('M2.5 0l1 1.7 1.8.8-1.8.8-1 1.7-1-1.7L-.3 2.5l1.8-.8z'));
+  context.resetTransform();
+}
+
 function paintShape(icon, colour, path) {
   const context = icon.getContext('2d');
   context.setTransform(icon.width / 16, 0, 0, icon.height / 16, 0, 0);
   context.clearRect(0, 0, 16, 16);
   context.fillStyle = colour;
-  context.fill(new Path2D(path));
+  context.fill(new Path2D(path), 'evenodd');
 }

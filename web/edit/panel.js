@@ -6,6 +6,7 @@
 //     panel.showTab('map');
 
 import { SchemaForm } from './forms/schema-form.js';
+import { copyOf } from './handles.js';
 import { kindOf } from './kinds.js';
 
 const kTabs = ['kind', 'thing', 'map', 'world'];
@@ -64,6 +65,8 @@ export class Panel {
     const { scene, map, sign, edited } = this.#editor;
     const kind = kindOf(scene, map, sign);
     byId('part-thing').querySelector('p').hidden = edited !== null;
+    byId('thing-acts').hidden = edited === null || edited[0] === 'start';
+    byId('thing-copy').hidden = edited !== null && copyOf(scene, edited) === null;
     const paths = [kind === null ? null : ['blueprints', kind.name], edited, ['maps', map], []];
     this.#forms.forEach((form, index) => form.show(paths[index]));
   }

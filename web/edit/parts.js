@@ -291,5 +291,5 @@ function appended(scene, path, things) {
   const present = path.reduce((node, key) => node?.[key], scene.value) ?? [];
   if (present.length === 0) return [{ path, value: things }];
   const values = things.map((value, index) => ({ path: [...path, present.length + index], value }));
-  return [{ values }];
+  return [{ together: values }];
 }

@@ -7,7 +7,8 @@
 // The left button works, the right one removes, or turns the eye when it is dragged; the middle
 // one, or Alt, picks. One finger works, two fingers turn and fly.
 
-import { thingsOf } from './things.js';
+import { handlesOf } from './handles.js';
+import { valueAt } from './things.js';
 
 const kSlack = 4; // CSS pixels that a click may move
 const kNear = 14; // CSS pixels from the mark of a thing
@@ -80,12 +81,21 @@ export class PictureView {
     on('pointerleave', () => this.#press === null && editor.point(null));
     on('contextmenu', (event) => event.preventDefault());
     on('wheel', (event) => this.#wheel(event));
-    on('viewchange', () => this.#ask());
+    on('viewchange', () => {
+      if (this.#place === null && this.isOn && camera.isHeld) this.aim();
+      else this.#ask();
+    });
     editor.listen((what) => what === 'marks' && this.#mark());
   }
 
   stop() {
     this.#life.abort();
+  }
+
+  // Without a pointer, the middle of the picture is pointed at.
+  aim() {
+    const { left, top, width, height } = this.#caster.getBoundingClientRect();
+    this.#editor.point(this.#find(left + width / 2, top + height / 2));
   }
 
   // Where the pointer is, once more: the world has changed under it.
@@ -110,6 +120,7 @@ export class PictureView {
     if (event.button !== 0) return;
     const target = this.#find(event.clientX, event.clientY);
     if (target === null) return;
+    if (event.altKey && this.#lift(target)) return;
     if (event.altKey) {
       this.#editor.pick(target);
       return;
@@ -120,6 +131,19 @@ export class PictureView {
   #begin(target, removes) {
     if (!this.#editor.tool.isFree) this.#bind(target, removes);
     this.#editor.press(target, { removes });
+  }
+
+  // With Alt, what stands at a point moves up and down. False for all else.
+  #lift(target) {
+    const { scene, mapName, tool } = this.#editor;
+    const thing = tool.hasThings && target.thing !== null ? valueAt(scene.value, target.thing) : {};
+    const { x, y, z = 0 } = thing ?? {};
+    if (x === undefined) return false;
+    const [here, above] = [z, z + 1].map((height) => this.#caster.project(x, y, height, mapName));
+    if (here === null || above === null) return false;
+    this.#press.lift = { z, perUnit: above.clientY - here.clientY, from: this.#press.y };
+    this.#editor.press(target);
+    return true;
   }
 
   // A stroke stays in the plane where it began: else each block would be put onto the one before.
@@ -217,6 +241,9 @@ export class PictureView {
 
   #find(clientX, clientY) {
     const { scene, stroke } = this.#editor;
+    const lift = this.#press?.lift;
+    if (stroke !== null && lift !== undefined)
+      return { ...stroke.targets[0], lift: lift.z + (clientY - lift.from) / lift.perUnit };
     if (stroke !== null && this.#press?.axis !== undefined) return this.#inPlane(clientX, clientY);
     const target = targetOf(this.#caster.pick(clientX, clientY), scene);
     return target === null || !this.#editor.tool.hasThings
@@ -224,11 +251,11 @@ export class PictureView {
       : { ...target, thing: this.#thingNear(clientX, clientY) ?? target.thing };
   }
 
-  // Lamps and the start are not seen, but their marks are.
+  // Objects are seen; of the others the marks are.
   #thingNear(clientX, clientY) {
-    const { scene, map, mapName } = this.#editor;
+    const { scene, map, mapName, edited } = this.#editor;
     let [nearest, least] = [null, kNear];
-    for (const { path, kind, x, y, z } of thingsOf(scene, map)) {
+    for (const { path, kind, x, y, z } of handlesOf(scene, map, edited)) {
       const at = kind === 'object' ? null : this.#caster.project(x, y, z, mapName);
       const far = at === null ? Infinity : Math.hypot(at.clientX - clientX, at.clientY - clientY);
       if (far < least) [nearest, least] = [path, far];

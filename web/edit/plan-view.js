@@ -12,8 +12,9 @@ import { CanvasView, countTo } from './canvas-view.js';
 import { isInside, sizeOf } from './cells.js';
 import { extentOf } from './shapes.js';
 import { kindsOf } from './kinds.js';
+import { handlesOf } from './handles.js';
+import { PlanLinks } from './plan-links.js';
 import { paintOverlay } from './plan-overlay.js';
-import { thingsOf } from './things.js';
 import { textureOfTile } from './tiles.js';
 
 const kMostScale = 96; // CSS pixels a tile
@@ -24,6 +25,7 @@ const kNear = 10; // CSS pixels from the middle of a thing
 export class PlanView extends CanvasView {
   #colours;
   #caster;
+  #links;
   #images = new Map(); // 'map level' -> {bitmap of one pixel a tile, version}
   #version = 0;
 
@@ -31,6 +33,7 @@ export class PlanView extends CanvasView {
     super(canvas, editor, kMostScale);
     this.#colours = colours;
     this.#caster = caster;
+    this.#links = new PlanLinks(canvas.parentElement.querySelector('.legend'));
     editor.scene.listen(({ cells, isWhole }) => {
       if (isWhole) this.#version += 1;
       else for (const { map, layer } of cells) this.#images.delete(`${map} ${layer}`);
@@ -56,6 +59,17 @@ export class PlanView extends CanvasView {
     return [from.x, from.y, to.x - from.x + 1, to.y - from.y + 1];
   }
 
+  // Without a pointer, the tile of the eye is pointed at.
+  aim() {
+    const view = this.#caster.currentView;
+    if (view?.map === this.editor.mapName) this.editor.point(this.find([view.x, view.y]));
+  }
+
+  // The wheel over a handle is the tool's.
+  step(notches) {
+    return this.editor.target?.thing ? this.editor.turn(notches) : false;
+  }
+
   // In the plan a block is placed where one points, and replaces what stands there.
   find([x, y]) {
     const { scene, map, mapName, level } = this.editor;
@@ -69,12 +83,14 @@ export class PlanView extends CanvasView {
       face: 'top',
       point: [x, y, level],
       thing: this.editor.tool.hasThings ? this.#thingNear(x, y) : null,
+      view: 'plan',
     };
   }
 
   #thingNear(x, y) {
     let [nearest, least] = [null, kNear / this.scale];
-    for (const thing of thingsOf(this.editor.scene, this.editor.map)) {
+    const { scene, map, edited } = this.editor;
+    for (const thing of handlesOf(scene, map, edited)) {
       const far = Math.hypot(thing.x - x, thing.y - y);
       if (far < least) [nearest, least] = [thing.path, far];
     }
@@ -103,6 +119,7 @@ export class PlanView extends CanvasView {
     }
     if (scale >= kGridFrom) this.grid(context, countTo(width), countTo(depth), this.bounds);
     this.#section(context, width, depth);
+    this.#links.draw(context, this.editor, scale);
     this.#things(context, scene.value.maps[map]);
     this.#eye(context);
   }
@@ -153,7 +170,22 @@ export class PlanView extends CanvasView {
   }
 
   pointed(context) {
-    if (!paintOverlay(context, this.editor, this.scale)) super.pointed(context);
+    if (this.editor.tool.hasThings) this.#flatMarks(context);
+    else if (!paintOverlay(context, this.editor, this.scale)) super.pointed(context);
+  }
+
+  // What the tool shows in the picture, seen from above.
+  #flatMarks(context) {
+    const { toolMarks, mapName } = this.editor;
+    context.lineWidth = 2;
+    for (const { map, from, to, colour } of toolMarks) {
+      if (map !== mapName) continue;
+      context.strokeStyle = colour;
+      context.beginPath();
+      context.moveTo(from[0] * this.scale, from[1] * this.scale);
+      context.lineTo(to[0] * this.scale, to[1] * this.scale);
+      context.stroke();
+    }
   }
 
   // Of floor or ceiling, one pixel a tile; null if it has no tiles.
@@ -185,12 +217,6 @@ export class PlanView extends CanvasView {
   #things(context, map) {
     for (const { x, y } of map.objects ?? []) this.dot(context, [x, y], '#8fce7a');
     for (const { x, y } of map.baked?.lamps ?? []) this.dot(context, [x, y], '#ffe9a0');
-    for (const { x, y, to = {} } of map.portals ?? []) {
-      const from = [x + 0.5, y + 0.5];
-      this.dot(context, from, '#b58cf0');
-      if (to.map !== undefined && to.map !== map.name) continue;
-      this.arrow(context, from, [to.x + 0.5, to.y + 0.5], '#b58cf0');
-    }
     const { start, maps } = this.editor.scene.value;
     if (start === undefined || (start.map ?? maps[0].name) !== map.name) return;
     const { x, y, heading = 0 } = start;

@@ -28,10 +28,11 @@ export function thingsOf(scene, map) {
 
 const rounded = (value, step) => Math.round(Math.round(value / step) * step * 1000) / 1000;
 
-// Only what differs.
+// Only what differs; without a z the height stays.
 export function moveChanges(scene, path, { x, y, z }) {
   const present = valueAt(scene.value, path) ?? {};
-  const wanted = { x: rounded(x, 0.05), y: rounded(y, 0.05), z: rounded(z, 0.01) };
+  const wanted = { x: rounded(x, 0.05), y: rounded(y, 0.05) };
+  if (z !== undefined) wanted.z = rounded(z, 0.01);
   return Object.entries(wanted)
     .filter(([key, value]) => (present[key] ?? 0) !== value)
     .map(([key, value]) => ({ path: [...path, key], value }));

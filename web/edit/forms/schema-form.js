@@ -6,6 +6,7 @@
 //     form.show(['maps', 0]);        // that value; again after each change
 //     form.show(null);
 
+import { keyed, namedChange, namesOf, renameChange } from '../names.js';
 import { valueAt } from '../things.js';
 import { kindOfValue } from './schema.js';
 
@@ -40,19 +41,29 @@ export class SchemaForm {
     const focused = this.#parent.contains(document.activeElement)
       ? document.activeElement.dataset.path
       : undefined;
-    this.#parent.replaceChildren(...this.#membersOf(path, value));
+    const name = keyed(path) ? [this.#renamer(path)] : [];
+    this.#parent.replaceChildren(...name, ...this.#membersOf(path, value));
     if (focused !== undefined)
       this.#parent.querySelector(`[data-path="${CSS.escape(focused)}"]`)?.focus();
   }
 
-  #set(path, value, how = {}) {
+  // What refers to a name goes with it. Else words say why that cannot be, and all stays.
+  #set(path, value) {
     const key = String(path.findLast((part) => typeof part === 'string') ?? 'scene');
-    this.#editor.history.do(`Change ${key}`, [{ path, value, ...how }], `form ${path}`);
+    this.#do(`Change ${key}`, namedChange(this.#editor.scene, path, value), `form ${path}`);
+  }
+
+  #do(label, { changes, words }, key) {
+    if (words === undefined) {
+      this.#editor.history.do(label, changes, key);
+      return;
+    }
+    this.#editor.say(words);
+    this.show(this.#path);
   }
 
   #names(what) {
-    const { value } = this.#editor.scene;
-    return what === 'maps' ? value.maps.map(({ name }) => name) : Object.keys(value[what] ?? {});
+    return namesOf(this.#editor.scene.value, what);
   }
 
   // A line for each key that an object has or may have, or each element of a list.
@@ -103,7 +114,10 @@ export class SchemaForm {
     field.dataset.path = String(path);
     label.htmlFor = field.id;
     if (value === undefined) line.classList.add('unset');
-    line.append(label, field);
+    if (keyed(path)) {
+      field.setAttribute('aria-label', `${key}: value`);
+      line.append(this.#nameInput(path), field);
+    } else line.append(label, field);
     const others = said.kinds.filter((other) => other !== kind && other.type !== 'text');
     const richer = others.find(({ type }) => type === 'object');
     if (richer !== undefined) line.append(this.#richer(path, richer, value));
@@ -202,7 +216,7 @@ export class SchemaForm {
   // ---- Parts that open
 
   #part(path, said, kind, value, { node, key, isNeeded }) {
-    const name = titleOf(said, key);
+    const name = keyed(path) ? key : titleOf(said, key);
     if (value === undefined) {
       const button = document.createElement('button');
       button.type = 'button';
@@ -234,7 +248,10 @@ export class SchemaForm {
     const body = document.createElement('div');
     body.className = 'inside';
     const fill = () => {
-      body.replaceChildren(...(kind === undefined ? [] : this.#membersOf(path, value)));
+      body.replaceChildren(
+        ...(keyed(path) ? [this.#renamer(path)] : []),
+        ...(kind === undefined ? [] : this.#membersOf(path, value)),
+      );
       if (!isNeeded) body.append(this.#remover(path, name));
     };
     part.append(body);
@@ -244,6 +261,38 @@ export class SchemaForm {
       this.#open[part.open ? 'add' : 'delete'](String(path));
     });
     return part;
+  }
+
+  #renamer(path) {
+    const line = document.createElement('p');
+    line.className = 'field';
+    const label = document.createElement('label');
+    label.textContent = 'Name';
+    const input = this.#nameInput(path);
+    input.id = `form-${(ids += 1)}`;
+    label.htmlFor = input.id;
+    line.append(label, input);
+    return line;
+  }
+
+  // For another name; what refers to it goes along.
+  #nameInput(path) {
+    const input = document.createElement('input');
+    input.value = path.at(-1);
+    input.title = 'The name. All that refers to it gets the new one, too.';
+    input.setAttribute('aria-label', `${path.at(-1)}: name`);
+    input.className = 'name';
+    input.spellcheck = false;
+    input.dataset.path = `${path} rename`;
+    input.addEventListener('change', () => {
+      const name = input.value.trim();
+      this.#open.add(String([...path.slice(0, -1), name]));
+      const isWhole = String(path) === String(this.#path);
+      const change = renameChange(this.#editor.scene, path, name);
+      if (isWhole && change.words === undefined) this.#path = [path[0], name];
+      this.#do('Rename', change, `rename ${path}`);
+    });
+    return input;
   }
 
   #remover(path, name) {

@@ -23,6 +23,8 @@ const kNamesOf = new Map([
   ['alert', 'sprites'],
   ['motion', 'motions'],
   ['map', 'maps'],
+  ['follows', 'gates'],
+  ['needs', 'finds'],
 ]);
 
 export class Schema {

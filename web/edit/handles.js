@@ -1,0 +1,240 @@
+// The handles of a map: points that are dragged, turned, removed or copied. Those of things, ends
+// of portals, points of ways and areas; of what is edited also its heading, radius and corner.
+// Takes a document; gives lists and changes. Changes nothing itself, and knows no view.
+//
+//     handlesOf(scene, 0, edited)                // [{path, kind, x, y, z}]
+//     dragChanges(scene, path, target)           // puts it where the pointer is
+//     turnChanges(scene, path, notches)          // null: the wheel has no use there
+//     removeChanges(scene, path)   copyOf(scene, path)
+//     formPathOf(path)                           // of the value whose form is shown
+
+import { isInside } from './cells.js';
+import { framesOf, isPlaced, mapNumber, middleOf, startMap } from './links.js';
+import { movedEnd, portalEnd } from './portal-ends.js';
+import { moveChanges, thingsOf, valueAt } from './things.js';
+
+const kLampHeight = 0.8; // over the ground
+const kArm = 1; // of a heading, units
+const kHeadingStep = 5; // degrees
+const kWheelTurn = 15; // degrees a notch
+const kWheelLift = 0.1; // units a notch
+const kMostRadius = 16; // of a lamp, as the schema has it
+const kInner = new Set(['to', 'heading', 'radius', 'width']); // belong to what is around them
+
+export const formPathOf = (path) => (path[0] === 'game' ? ['game'] : ownerOf(path));
+
+// What a handle belongs to.
+function ownerOf(path) {
+  if (!kInner.has(path.at(-1))) return path;
+  return path.at(-2) === 'motion' ? path.slice(0, -2) : path.slice(0, -1);
+}
+
+export function handlesOf(scene, map, edited) {
+  const { value } = scene;
+  return [
+    ...(edited === null ? [] : ofEdited(scene, map, edited)),
+    ...thingsOf(scene, map),
+    ...portalEnds(value, map),
+    ...wayPoints(value, map),
+    ...areas(value, map),
+  ];
+}
+
+function portalEnds(value, map) {
+  return value.maps.flatMap(({ portals = [] }, from) =>
+    portals.flatMap((portal, index) => {
+      if (!isPlaced(portal) || !isPlaced(portal.to)) return [];
+      const path = ['maps', from, 'portals', index];
+      const to = portal.to.map === undefined ? from : mapNumber(value, portal.to.map);
+      const frames = from === map || to === map ? framesOf(value, from, portal) : null;
+      return [
+        ...(from === map ? [{ path, kind: 'portal', ...middleOf(frames.from) }] : []),
+        ...(to === map ? [{ path: [...path, 'to'], kind: 'portal', ...middleOf(frames.to) }] : []),
+      ];
+    }),
+  );
+}
+
+function wayPoints(value, map) {
+  return value.maps.flatMap(({ name, objects = [] }, from) =>
+    objects.flatMap(({ motion, z: feet = 0 }, index) =>
+      (motion?.path ?? [])
+        .map((point, at) => ({
+          path: ['maps', from, 'objects', index, 'motion', 'path', at],
+          kind: 'way',
+          x: point.x,
+          y: point.y,
+          z: point.z ?? feet,
+          mapName: point.map ?? name,
+        }))
+        .filter(({ mapName }) => mapName === value.maps[map].name),
+    ),
+  );
+}
+
+function areasOf(value, map) {
+  const all = (value.maps[map].messages ?? []).map((area, index) => ({
+    path: ['maps', map, 'messages', index],
+    kind: 'message',
+    area,
+  }));
+  const at = value.game?.at;
+  if (at !== undefined && (at.map ?? startMap(value)) === value.maps[map].name)
+    all.push({ path: ['game', 'at'], kind: 'goal', area: at });
+  return all;
+}
+
+function areas(value, map) {
+  return areasOf(value, map).map(({ path, kind, area }) => {
+    const { x, y, width = 1, depth = 1, bottom = 0 } = area;
+    return { path, kind, x: x + width / 2, y: y + depth / 2, z: bottom + 0.1 };
+  });
+}
+
+function ofEdited(scene, map, edited) {
+  const area = areasOf(scene.value, map).find(
+    ({ path }) => String(formPathOf(path)) === String(edited),
+  );
+  if (area !== undefined) {
+    const { x, y, width = 1, depth = 1, bottom = 0 } = area.area;
+    const corner = { x: x + width, y: y + depth, z: bottom + 0.1 };
+    return [{ path: [...area.path, 'width'], kind: area.kind, ...corner }];
+  }
+  const thing = thingsOf(scene, map).find(({ path }) => String(path) === String(edited));
+  if (thing === undefined) return [];
+  const { x, y, z } = thing;
+  if (thing.kind === 'lamp') {
+    const { radius = 4 } = valueAt(scene.value, edited);
+    return [{ path: [...edited, 'radius'], kind: 'radius', x: x + radius, y, z }];
+  }
+  const path = headingPath(scene.value, edited);
+  if (path === null) return [];
+  const angle = ((valueAt(scene.value, path) ?? 0) * Math.PI) / 180;
+  const arm = { x: x + kArm * Math.cos(angle), y: y + kArm * Math.sin(angle), z };
+  return [{ path, kind: 'heading', ...arm }];
+}
+
+// Where a thing keeps its heading; null if it has none.
+export function headingPath(value, path) {
+  if (path[0] === 'start') return ['start', 'heading'];
+  const object = path[2] === 'objects' ? valueAt(value, path) : undefined;
+  if (object === undefined) return null;
+  if (object.motion !== undefined)
+    return object.motion.kind === 'patrol' ? null : [...path, 'motion', 'heading'];
+  const hasViews = value.sprites?.[object.sprite]?.views !== undefined;
+  return hasViews || object.heading !== undefined ? [...path, 'heading'] : null;
+}
+
+const isArea = (path) => path[2] === 'messages' || (path[0] === 'game' && path[1] === 'at');
+const set = (path, value) => ({ path, value });
+
+// Only what differs from the document.
+const differing = (scene, changes) =>
+  changes.filter(({ path, value }) => valueAt(scene.value, path) !== value);
+
+export function dragChanges(scene, path, target) {
+  const { map, point, view, lift } = target;
+  if (lift !== undefined) return liftChanges(scene, path, lift);
+  if (point === null) return [];
+  const [x, y, z] = point;
+  if (!isInside(scene, map, { x, y })) return [];
+  const of = ownerOf(path);
+  const thing = valueAt(scene.value, of);
+  if (thing === undefined) return [];
+  switch (path.at(-1)) {
+    case 'heading': {
+      const degrees = (Math.atan2(y - thing.y, x - thing.x) * 180) / Math.PI;
+      return differing(scene, [set(path, headingOf(degrees))]);
+    }
+    case 'radius': {
+      const far = Math.round(Math.hypot(x - thing.x, y - thing.y) * 10) / 10;
+      return differing(scene, [set(path, Math.min(kMostRadius, Math.max(0.1, far)))]);
+    }
+    case 'width':
+      return differing(scene, [
+        set([...of, 'width'], Math.max(1, Math.ceil(x) - thing.x)),
+        set([...of, 'depth'], Math.max(1, Math.ceil(y) - thing.y)),
+      ]);
+    default:
+  }
+  if (path[2] === 'portals') return movedEnd(scene, path, portalEnd(scene, target));
+  if (isArea(path)) {
+    if (map !== areaMap(scene.value, path)) return [];
+    const { width = 1, depth = 1 } = thing;
+    return differing(scene, [
+      set([...path, 'x'], Math.max(0, Math.floor(x) - (width >> 1))),
+      set([...path, 'y'], Math.max(0, Math.floor(y) - (depth >> 1))),
+    ]);
+  }
+  const isPoint = path.includes('path');
+  if (!isPoint && path[0] === 'maps' && path[1] !== map) return [];
+  const height = path[2] === 'baked' ? z + kLampHeight : z;
+  // Seen from above, heights stay.
+  return moveChanges(scene, path, isPoint || view === 'plan' ? { x, y } : { x, y, z: height });
+}
+
+// Areas and portals stand on tiles, points of ways on the ground.
+function liftChanges(scene, path, z) {
+  const isThing = path[0] === 'start' || ['objects', 'lamps'].includes(path.at(-2));
+  if (!isThing) return [];
+  const height = Math.round(Math.max(0, z) * 20) / 20;
+  return differing(scene, [set([...path, 'z'], height)]);
+}
+
+const areaMap = (value, path) =>
+  path[0] === 'game' ? mapNumber(value, value.game.at.map ?? startMap(value)) : path[1];
+
+function headingOf(degrees) {
+  const whole = Math.round(degrees / kHeadingStep) * kHeadingStep;
+  return ((whole % 360) + 360) % 360;
+}
+
+export function turnChanges(scene, path, notches) {
+  const of = ownerOf(path);
+  if (of[2] === 'baked') {
+    const { z } = valueAt(scene.value, of);
+    const next = Math.round((z + Math.sign(notches) * kWheelLift) * 100) / 100;
+    return [set([...of, 'z'], Math.max(0, next))];
+  }
+  const heading = headingPath(scene.value, of);
+  if (heading === null) return null;
+  const degrees = (valueAt(scene.value, heading) ?? 0) + Math.sign(notches) * kWheelTurn;
+  return [set(heading, headingOf(degrees))];
+}
+
+export function removeChanges(scene, path) {
+  if (path[0] === 'start') return [];
+  if (path.at(-1) === 'heading' || path.at(-1) === 'radius') return [];
+  const of = ownerOf(path);
+  if (of[0] === 'game') {
+    const { needs } = scene.value.game;
+    return [set(needs === undefined ? ['game'] : ['game', 'at'], undefined)];
+  }
+  const at = of.lastIndexOf('path');
+  if (at === of.length - 2 && at > 0) {
+    const points = valueAt(scene.value, of.slice(0, -1));
+    if (points.length === 1) return [set(of.slice(0, at), undefined)]; // the motion
+  }
+  return [set(of, undefined)];
+}
+
+// The last point of a figure's way; none if it has no way.
+export function lastPointOf(scene, object) {
+  const points = valueAt(scene.value, object)?.motion?.path ?? [];
+  return points.length === 0 ? null : [...object, 'motion', 'path', points.length - 1];
+}
+
+// A copy beside it: {path, changes}; null for what there is only once.
+export function copyOf(scene, edited) {
+  const path = ownerOf(edited);
+  const isListed = ['objects', 'lamps', 'messages'].includes(path.at(-2));
+  const original = isListed ? valueAt(scene.value, path) : undefined;
+  if (original === undefined) return null;
+  const { x, width } = original;
+  const step = path[2] === 'messages' ? (width ?? 1) : 1;
+  const isFree = isInside(scene, path[1], { x: x + step, y: original.y });
+  const all = path.slice(0, -1);
+  const copy = [...all, valueAt(scene.value, all).length];
+  const moved = { ...original, x: isFree ? x + step : Math.max(0, x - step) };
+  return { path: copy, changes: [set(copy, moved)] };
+}

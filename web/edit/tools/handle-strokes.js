@@ -1,0 +1,55 @@
+// What tools do with the handles of things and links: mark, drag, turn and remove them.
+// Takes targets; gives changes and lines to show. Knows no view.
+
+import { dragChanges, handlesOf, removeChanges, turnChanges } from '../handles.js';
+import { kBrass, kCoral, kSea } from '../mark-lines.js';
+
+const kSpan = 0.12; // of the marks of what is not seen, units
+
+const isSame = (path, other) => other !== null && String(path) === String(other);
+
+// Objects are seen; all else gets a cross.
+export function handleMarks({ map, mapName, point, thing: found }, { scene, edited, removes }) {
+  const lines = handlesOf(scene, map, edited)
+    .filter(({ kind, path }) => kind !== 'object' || isSame(path, found))
+    .flatMap(({ x, y, z, path, kind }) =>
+      cross(
+        mapName,
+        [x, y, z + (kind === 'object' ? 0.3 : 0)],
+        isSame(path, found) ? (removes ? kCoral : '#ffffff') : kSea,
+      ),
+    );
+  return found === null && point !== null ? [...lines, ...cross(mapName, point, kBrass)] : lines;
+}
+
+export function dragHandle({ targets, removes }, { scene }) {
+  const [{ thing: found }] = targets;
+  if (removes || found === null || targets.length < 2) return [];
+  return dragChanges(scene, found, targets.at(-1));
+}
+
+export function removeHandle({ targets }, { scene }) {
+  const [{ thing: found }] = targets;
+  return found === null ? [] : removeChanges(scene, found);
+}
+
+export function turnHandle({ thing: found }, notches, { scene }) {
+  return found === null ? null : turnChanges(scene, found, notches);
+}
+
+export function cross(map, [x, y, z], colour) {
+  return [
+    [
+      [x - kSpan, y, z],
+      [x + kSpan, y, z],
+    ],
+    [
+      [x, y - kSpan, z],
+      [x, y + kSpan, z],
+    ],
+    [
+      [x, y, z - kSpan],
+      [x, y, z + kSpan],
+    ],
+  ].map(([from, to]) => ({ map, from, to, colour }));
+}
