@@ -8,6 +8,7 @@ import { editModules, seededRandom } from './modules.mjs';
 
 const {
   allBlocks,
+  allOf,
   boxAround,
   carryChanges,
   cellOf,
@@ -142,6 +143,11 @@ test('boxes, kinds and what is joined are selected, added to, and taken out', ()
   assert.equal(joinedCells(scene, 0, { level: 0, x: 1, y: 1 }).size, 2, 'one above the other');
   assert.equal(joinedCells(scene, 0, { level: 0, x: 1, y: 2 }).size, 1);
   assert.equal(allBlocks(scene, 0).size, 4);
+  assert.equal(
+    allOf(scene, 0).size,
+    4 + 5,
+    'with things, the start, and ends of portals in free cells',
+  );
   assert.equal(columnsOf(scene, { map: 0, cells: box(3, 3, 3, 3) }).cells.size, 2);
   editor.choose({ way: 'box' });
   assert.equal(editor.way, 'box');

@@ -2,7 +2,7 @@
 // is selected is dragged elsewhere. Takes targets; gives a selection, changes, and lines to show.
 // Knows no view.
 
-import { carryChanges } from '../carrying.js';
+import { carryChanges, placeOfThing } from '../carrying.js';
 import { kMostLevels, signReader, sizeOf } from '../cells.js';
 import { kBrass, kCoral, kSea, linesOf } from '../mark-lines.js';
 import { boxAround, cellOf, keyOf, outlineOf, transformed, transformOf } from '../selection.js';
@@ -126,7 +126,21 @@ export function sameKind(scene, map, { level, x, y }) {
   return cells;
 }
 
-// All blocks of a map.
+// All blocks and things of a map, and where its portals lie and lead to.
+export function allOf(scene, map) {
+  const { maps, start } = scene.value;
+  const { objects = [], baked, portals = [], name } = maps[map];
+  const cells = allBlocks(scene, map);
+  const isStart = start !== undefined && (start.map ?? maps[0].name) === name;
+  for (const thing of [...objects, ...(baked?.lamps ?? []), ...(isStart ? [start] : [])])
+    cells.add(keyOf(placeOfThing(thing)));
+  for (const { level = 0, x, y } of portals) cells.add(keyOf({ level, x, y }));
+  for (const other of maps)
+    for (const { level = 0, to } of other.portals ?? [])
+      if ((to.map ?? other.name) === name) cells.add(keyOf({ level, ...to }));
+  return cells;
+}
+
 export function allBlocks(scene, map) {
   const cells = new Set();
   eachCell(scene, map, (cell, sign) => sign !== '.' && sign !== ' ' && cells.add(keyOf(cell)));
