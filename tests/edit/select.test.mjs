@@ -10,6 +10,7 @@ const {
   allBlocks,
   allOf,
   boxAround,
+  boxEdges,
   carryChanges,
   cellOf,
   cellsOfPart,
@@ -31,6 +32,7 @@ const {
   sameKind,
   SceneDocument,
   select,
+  shiftedEdges,
   stamp,
   transformed,
   transformOf,
@@ -110,6 +112,11 @@ test('keys of cells are one to one, also outside maps', () => {
 test('an outline has the edges of the set, in runs, and none within', () => {
   assert.equal(outlineOf(box(0, 0, 0, 0)).length, 12);
   assert.equal(outlineOf(box(0, 0, 5, 3, 0, 2)).length, 12, 'one line an edge');
+  const said = (edges) => edges.map((edge) => JSON.stringify(edge)).sort();
+  const one = box(2, 3, 5, 3, 1, 2);
+  const moved = shiftedEdges(outlineOf(box(0, 0, 3, 0, 0, 1)), { level: 1, x: 2, y: 3 });
+  assert.deepEqual(said(boxEdges(boxAround(one))), said(outlineOf(one)));
+  assert.deepEqual(said(moved), said(outlineOf(one)));
   const corner = new Set([...box(0, 0, 1, 0), ...box(0, 1, 0, 1)]);
   assert.equal(outlineOf(corner).length, 6 + 6 + 6);
   const touching = new Set([...box(0, 0, 0, 0), ...box(1, 1, 1, 1)]);
