@@ -188,7 +188,7 @@ test('in the plan: levels by wheel and keys, copied, turned, pasted, cut and fil
   await page.keyboard.press('ArrowLeft');
   assert.equal((await rowsOf(page, 0))[3], '..ppp....');
   await page.keyboard.press('Control+a');
-  assert.equal(await count(page), 3 + 3 + 3 + 6);
+  assert.equal(await count(page), 3 + 3 + 3 + 6 + 1, 'all blocks, and the start');
 });
 
 test('by touch: the bar has all that keys do', async (t) => {
@@ -322,7 +322,10 @@ test('what is turned looks from the east as it looked from the north', async (t)
   const sides = [];
   for (const heading of [0, 90, 180, 270]) sides.push(await shotFrom(heading));
   assert.ok((await differing(sides[0], sides[1])) > 0.05, 'the sides differ');
-  await page.keyboard.press('Control+a');
+  const tile = await openPlan(page);
+  await page.keyboard.press('KeyM');
+  await drag(page, tile(3.5, 3.5), tile(5.5, 5.5));
+  await page.click('[data-view=picture]');
   await page.keyboard.press('KeyU');
   await noFaults(page);
   for (const [index, heading] of [90, 180, 270, 0].entries()) {

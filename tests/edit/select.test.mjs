@@ -8,7 +8,9 @@ import { editModules, seededRandom } from './modules.mjs';
 
 const {
   allBlocks,
+  allOf,
   boxAround,
+  boxEdges,
   carryChanges,
   cellOf,
   cellsOfPart,
@@ -30,6 +32,7 @@ const {
   sameKind,
   SceneDocument,
   select,
+  shiftedEdges,
   stamp,
   transformed,
   transformOf,
@@ -109,6 +112,11 @@ test('keys of cells are one to one, also outside maps', () => {
 test('an outline has the edges of the set, in runs, and none within', () => {
   assert.equal(outlineOf(box(0, 0, 0, 0)).length, 12);
   assert.equal(outlineOf(box(0, 0, 5, 3, 0, 2)).length, 12, 'one line an edge');
+  const said = (edges) => edges.map((edge) => JSON.stringify(edge)).sort();
+  const one = box(2, 3, 5, 3, 1, 2);
+  const moved = shiftedEdges(outlineOf(box(0, 0, 3, 0, 0, 1)), { level: 1, x: 2, y: 3 });
+  assert.deepEqual(said(boxEdges(boxAround(one))), said(outlineOf(one)));
+  assert.deepEqual(said(moved), said(outlineOf(one)));
   const corner = new Set([...box(0, 0, 1, 0), ...box(0, 1, 0, 1)]);
   assert.equal(outlineOf(corner).length, 6 + 6 + 6);
   const touching = new Set([...box(0, 0, 0, 0), ...box(1, 1, 1, 1)]);
@@ -142,6 +150,11 @@ test('boxes, kinds and what is joined are selected, added to, and taken out', ()
   assert.equal(joinedCells(scene, 0, { level: 0, x: 1, y: 1 }).size, 2, 'one above the other');
   assert.equal(joinedCells(scene, 0, { level: 0, x: 1, y: 2 }).size, 1);
   assert.equal(allBlocks(scene, 0).size, 4);
+  assert.equal(
+    allOf(scene, 0).size,
+    4 + 5,
+    'with things, the start, and ends of portals in free cells',
+  );
   assert.equal(columnsOf(scene, { map: 0, cells: box(3, 3, 3, 3) }).cells.size, 2);
   editor.choose({ way: 'box' });
   assert.equal(editor.way, 'box');

@@ -140,3 +140,42 @@ test('a portal leads the same way out when one of its ends is turned', () => {
   assert.equal(turnedPortal({}, right, right), 0);
   assert.equal(turnedPortal({}, right, kStill), 270);
 });
+
+test('all directions that a scene can say are known', () => {
+  const schema = JSON.parse(readFileSync(new URL('../scene.schema.json', kScenes), 'utf8'));
+  const found = [];
+  const walk = (node, path) => {
+    if (typeof node !== 'object' || node === null) return;
+    const words = [node.enum ?? [], Object.keys(node.properties ?? {})].flat().map(String);
+    const isDirection =
+      words.some((word) => /^(north|east|south|west|90)\b/.test(word)) ||
+      (node.enum?.includes('x') ?? false) ||
+      /^(heading|azimuth|plan)$/.test(path.split('.').at(-1)) ||
+      /\b(clockwise|compass|direction)\b/.test(node.description ?? '');
+    if (isDirection) found.push(path);
+    for (const [name, one] of Object.entries(node.properties ?? {})) walk(one, `${path}.${name}`);
+    for (const list of ['anyOf', 'allOf', 'oneOf'])
+      for (const one of node[list] ?? []) walk(one, path);
+    walk(node.items, `${path}[]`);
+    walk(node.additionalProperties, `${path}.*`);
+  };
+  for (const [name, one] of Object.entries(schema.definitions)) walk(one, name);
+  assert.deepEqual([...new Set(found)].sort(), [
+    'blueprint.diagonal',
+    'blueprint.faces',
+    'blueprint.plan',
+    'blueprint.rise',
+    'clouds.speed', // the sky stays
+    'moon.azimuth',
+    'motion.along',
+    'motion.moves',
+    'object.heading',
+    'objectMotion.heading',
+    'objectMotion.kind', // "wander: changes direction"
+    'portal.face',
+    'portal.turn',
+    'start.heading',
+    'sun.azimuth',
+    'sunlight.azimuth',
+  ]);
+});

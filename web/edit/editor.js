@@ -113,6 +113,13 @@ export class Editor {
     return this.tool.ghost?.(this.#target, this.#context) ?? null;
   }
 
+  // The outline of those cells.
+  get touchedEdges() {
+    const at = this.#stroke ?? this.#target;
+    if (at === null) return [];
+    return this.tool.edges?.(at, this.#context) ?? outlineOf(this.touched ?? new Set());
+  }
+
   get #selected() {
     if (!this.tool.hasSelection || this.selection === null) return [];
     return linesOf(this.mapName, this.selectedOutline, kBrass);

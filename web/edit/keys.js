@@ -23,7 +23,7 @@ const kGroups = [
   [
     'Select (M) and paste',
     [
-      ['Ctrl A', 'select all blocks of the map; Escape selects none'],
+      ['Ctrl A', 'select all of the map; Escape selects none'],
       ['Ctrl C, Ctrl X, Ctrl V', 'copy, cut, paste where you point, also in another tab'],
       ['Delete', 'remove what is selected'],
       ['N', 'fill it with the chosen block'],

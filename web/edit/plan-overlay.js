@@ -4,11 +4,12 @@
 //
 //     paintOverlay(context, editor, scale);     // true if it shows what is pointed at
 
-import { cellOf, outlineOf } from './selection.js';
+import { cellOf } from './selection.js';
 import { turned } from './tools/stamp.js';
 
 const kPale = 0.35; // other levels
 const kSolid = 0.7;
+const kMostFilled = 20000; // cells; of more, the outline is shown
 const kSelected = '#ecc862';
 const kTouched = '#7fc4e8';
 
@@ -17,16 +18,16 @@ export function paintOverlay(context, editor, scale) {
   if (tool.hasSelection && selection?.map === map)
     edges(context, editor.selectedOutline, scale, kSelected, level);
   if (touched === null || touched.size === 0) return false;
-  const isPart = tool.hasStamps;
+  const isPart = tool.hasStamps === true;
   const colours = isPart ? coloursOf(editor) : null;
-  for (const key of touched) {
+  for (const key of touched.size > kMostFilled ? [] : touched) {
     const cell = cellOf(key);
     context.globalAlpha = (cell.level === level ? kSolid : kPale) * (isPart ? 1 : 0.5);
     context.fillStyle = colours?.get(key) ?? (isPart ? kSelected : kTouched);
     context.fillRect(cell.x * scale, cell.y * scale, scale, scale);
   }
   context.globalAlpha = 1;
-  edges(context, outlineOf(touched), scale, isPart ? kSelected : kTouched, level);
+  edges(context, editor.touchedEdges, scale, isPart ? kSelected : kTouched, level);
   return true;
 }
 

@@ -12,7 +12,7 @@ import { kMostLevels } from './cells.js';
 import { takePictures, withPictures } from './own-pictures.js';
 import { isEmptyPart, partOf } from './parts.js';
 import { boxAround, transformed, transformOf } from './selection.js';
-import { allBlocks, columnsOf, select } from './tools/select.js';
+import { allOf, columnsOf, select } from './tools/select.js';
 import { stamp } from './tools/stamp.js';
 import { composed, kStill, kTurns } from './turning.js';
 
@@ -215,7 +215,7 @@ export class Selecting {
 
   all() {
     const { scene, map } = this.#editor;
-    const cells = allBlocks(scene, map);
+    const cells = allOf(scene, map);
     this.#editor.choose({ tool: select, selection: cells.size === 0 ? null : { map, cells } });
   }
 

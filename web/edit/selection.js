@@ -73,6 +73,32 @@ export function transformed(cells, transform) {
   return next;
 }
 
+// Edges elsewhere: of cells that were moved.
+export function shiftedEdges(edges, { level, x, y }) {
+  const moved = ([east, south, up]) => [east + x, south + y, up + level];
+  return edges.map(({ from, to }) => ({ from: moved(from), to: moved(to) }));
+}
+
+// Those of a box, {from, to}, both within.
+export function boxEdges({ from, to }) {
+  const ends = [
+    [from.x, to.x + 1],
+    [from.y, to.y + 1],
+    [from.level, to.level + 1],
+  ];
+  const edges = [];
+  for (const axis of [0, 1, 2]) {
+    const [one, other] = [0, 1, 2].filter((number) => number !== axis);
+    for (const a of ends[one]) {
+      for (const b of ends[other]) {
+        const at = (along) => [0, 1, 2].map((k) => (k === axis ? along : k === one ? a : b));
+        edges.push({ from: at(ends[axis][0]), to: at(ends[axis][1]) });
+      }
+    }
+  }
+  return edges;
+}
+
 // The edges where the surface of the set bends, each run of them as one line.
 export function outlineOf(cells) {
   const edges = new Map(); // axis, a, b as one number -> where along the axis there is one

@@ -2,10 +2,19 @@
 // is selected is dragged elsewhere. Takes targets; gives a selection, changes, and lines to show.
 // Knows no view.
 
-import { carryChanges } from '../carrying.js';
+import { carryChanges, placeOfThing } from '../carrying.js';
 import { kMostLevels, signReader, sizeOf } from '../cells.js';
 import { kBrass, kCoral, kSea, linesOf } from '../mark-lines.js';
-import { boxAround, cellOf, keyOf, outlineOf, transformed, transformOf } from '../selection.js';
+import {
+  boxAround,
+  boxEdges,
+  cellOf,
+  keyOf,
+  outlineOf,
+  shiftedEdges,
+  transformed,
+  transformOf,
+} from '../selection.js';
 import { boxOfCells, cellsIn } from './strokes.js';
 
 const kSteps = [
@@ -37,12 +46,20 @@ export const select = {
   },
 
   show(stroke, context) {
-    const { mapName } = stroke.targets[0];
+    const colour = stroke.removes ? kCoral : isMove(stroke, context) ? kBrass : kSea;
+    return linesOf(stroke.targets[0].mapName, this.edges(stroke, context), colour);
+  },
+
+  // The outline of those cells, without finding it anew while it is dragged.
+  edges(stroke, context) {
+    const { selection, way } = context;
     if (isMove(stroke, context)) {
-      const transform = moveOf(stroke, context);
-      return lines(mapName, transformed(context.selection.cells, transform), kBrass);
+      selection.outline ??= outlineOf(selection.cells);
+      return shiftedEdges(selection.outline, moveOf(stroke, context).by);
     }
-    return lines(mapName, found(stroke, context), stroke.removes ? kCoral : kSea);
+    if (way !== 'box') return outlineOf(found(stroke, context));
+    const box = boxOfStroke(stroke);
+    return box === null ? [] : boxEdges(box);
   },
 
   // The cells to show in the plan.
@@ -103,19 +120,24 @@ function moveOf({ targets, height }, { selection }) {
   const box = boxAround(selection.cells);
   by.level = Math.max(-box.from.level, Math.min(kMostLevels - 1 - box.to.level, by.level));
   const isIdle = by.level === 0 && by.x === 0 && by.y === 0;
-  return { ...transformOf(box, undefined, by), isIdle };
+  return { ...transformOf(box, undefined, by), by, isIdle };
 }
 
-function found({ targets, height }, { scene, way }) {
-  const places = targets.map(placeOf).filter(Boolean);
-  if (places.length === 0) return new Set();
-  const { map } = targets[0];
-  const [first] = places;
-  const last = places.at(-1);
+function found(stroke, { scene, way }) {
+  const last = stroke.targets.map(placeOf).filter(Boolean).at(-1);
+  if (last === undefined) return new Set();
+  const { map } = stroke.targets[0];
   if (way === 'same kind') return sameKind(scene, map, last);
   if (way === 'joined') return joinedCells(scene, map, last);
+  return new Set(cellsIn(boxOfStroke(stroke)).map(keyOf));
+}
+
+function boxOfStroke({ targets, height }) {
+  const places = targets.map(placeOf).filter(Boolean);
+  if (places.length === 0) return null;
+  const last = places.at(-1);
   const level = Math.max(0, Math.min(kMostLevels - 1, last.level + height));
-  return new Set(cellsIn(boxOfCells(first, { ...last, level })).map(keyOf));
+  return boxOfCells(places[0], { ...last, level });
 }
 
 export function sameKind(scene, map, { level, x, y }) {
@@ -126,7 +148,21 @@ export function sameKind(scene, map, { level, x, y }) {
   return cells;
 }
 
-// All blocks of a map.
+// All blocks and things of a map, and where its portals lie and lead to.
+export function allOf(scene, map) {
+  const { maps, start } = scene.value;
+  const { objects = [], baked, portals = [], name } = maps[map];
+  const cells = allBlocks(scene, map);
+  const isStart = start !== undefined && (start.map ?? maps[0].name) === name;
+  for (const thing of [...objects, ...(baked?.lamps ?? []), ...(isStart ? [start] : [])])
+    cells.add(keyOf(placeOfThing(thing)));
+  for (const { level = 0, x, y } of portals) cells.add(keyOf({ level, x, y }));
+  for (const other of maps)
+    for (const { level = 0, to } of other.portals ?? [])
+      if ((to.map ?? other.name) === name) cells.add(keyOf({ level, ...to }));
+  return cells;
+}
+
 export function allBlocks(scene, map) {
   const cells = new Set();
   eachCell(scene, map, (cell, sign) => sign !== '.' && sign !== ' ' && cells.add(keyOf(cell)));

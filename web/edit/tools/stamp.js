@@ -3,7 +3,7 @@
 
 import { kBrass, linesOf } from '../mark-lines.js';
 import { cellsOfPart, pasteChanges, turnedPart } from '../parts.js';
-import { outlineOf } from '../selection.js';
+import { outlineOf, shiftedEdges } from '../selection.js';
 
 export const stamp = {
   name: 'stamp',
@@ -13,7 +13,17 @@ export const stamp = {
   hasStamps: true,
 
   point(target, { brush }) {
-    return linesOf(target.mapName, outlineOf(this.ghost(target, { brush })), kBrass);
+    return linesOf(target.mapName, this.edges(target, { brush }), kBrass);
+  },
+
+  // The outline of those cells, found once for each turn of the part.
+  edges(target, { brush }) {
+    const at = brush === null ? null : cornerOf(target, brush);
+    if (at === null) return [];
+    const part = turned(brush);
+    if (!outlines.has(part))
+      outlines.set(part, outlineOf(cellsOfPart(part, { level: 0, x: 0, y: 0 })));
+    return shiftedEdges(outlines.get(part), at);
   },
 
   // The cells that a click would fill.
@@ -29,6 +39,7 @@ export const stamp = {
   },
 };
 
+const outlines = new WeakMap(); // part -> edges
 const known = new WeakMap(); // part -> Map of its turns
 
 export function turned({ part, turn }) {
