@@ -288,9 +288,11 @@ const saving = new Saving(scene, history, {
   choose: conflictDialog(byId('conflict'), (text) => saveBar.saveCopy(text)),
 });
 const saveBar = new SaveBar({ scene, saving, world, ownPictures, tell: toast });
-const keep = () => {
-  if (scene.mistake === null) kept.keep(scene.text, ownPictures.kept, saving.base);
-};
+const toKeep = () =>
+  scene.mistake === null
+    ? { text: scene.text, pictures: ownPictures.kept, base: saving.base }
+    : null;
+const keep = () => kept.keep(toKeep);
 scene.listen(keep);
 saving.listen(keep);
 kept.listen((what) => {
@@ -309,6 +311,7 @@ new OneTab(world.name, byId('other-tab'), {
   },
 });
 shareDialog(byId('share'), byId('open-share'), { scene, own, ownPictures, world, saveBar });
+byId('anew').parentElement.hidden = world.name.startsWith('file '); // there is no other copy
 openDialog(byId('files'), byId('open-files'), {
   leave: (go) => saveBar.leave(go),
   takePictures(files) {
