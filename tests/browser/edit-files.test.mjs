@@ -694,6 +694,9 @@ test('of two tabs with one world one has it: take over, or open a copy', async (
   await page.waitForSelector('#other-tab[open]');
   assert.match(await page.textContent('#other-tab p'), /taken this world over/);
   await rename(other, 'Third');
+  await isKept(other);
+  await rename(page, 'Late'); // by a script: the dialog is in the way of everything else
+  await told(page, () => dispatchEvent(new Event('pagehide')));
   await Promise.all([page.waitForEvent('load'), page.click('[data-take]')]);
   await isReady(page);
   assert.equal(await page.inputValue('#title'), 'Third');

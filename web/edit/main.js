@@ -289,7 +289,7 @@ const saving = new Saving(scene, history, {
 });
 const saveBar = new SaveBar({ scene, saving, world, ownPictures, tell: toast });
 const toKeep = () =>
-  scene.mistake === null
+  scene.mistake === null && tab.hasWorld
     ? { text: scene.text, pictures: ownPictures.kept, base: saving.base }
     : null;
 const keep = () => kept.keep(toKeep);
@@ -301,7 +301,7 @@ kept.listen((what) => {
     failed: 'This browser keeps nothing: save the scene before you close the page.',
   }[what];
 });
-new OneTab(world.name, byId('other-tab'), {
+const tab = new OneTab(world.name, byId('other-tab'), {
   flush: () => kept.write(),
   reload: () => saveBar.leave(() => location.reload()),
   copy: async () => {
@@ -350,7 +350,7 @@ function start() {
   });
   caster.look({ ...view, z: view.z + 1.2, flying: true });
   document.body.dataset.state = 'ready';
-  saving.settle().catch((error) => toast(error.message));
+  saveBar.settle();
   // For the browser's console, and for tests.
   window.slicecastEditor = { scene, history, editor, sync, caster, saving };
 }
