@@ -1,7 +1,7 @@
 // Sees that one tab alone changes a world. Takes its name and a function that keeps what is not
 // kept yet; asks the visitor by a dialog, and gives the world from tab to tab.
 //
-//     const tab = new OneTab('castle', dialog, { flush: async () => {...}, reload() {}, copy() {} });
+//     const tab = new OneTab('castle', dialog, { async flush() {}, reload() {}, copy() {} });
 //     tab.hasWorld                  // else nothing may be kept here
 //
 // The tab that had a world first has it. Another one asks: take over, or open a copy? The tab that
