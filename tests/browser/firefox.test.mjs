@@ -2,11 +2,17 @@
 // in Chromium and under Node, played by keys, and left again.
 
 import assert from 'node:assert/strict';
+import { Buffer } from 'node:buffer';
 import { accessSync, constants } from 'node:fs';
+import { mkdtemp, readFile, rm, writeFile } from 'node:fs/promises';
+import { tmpdir } from 'node:os';
 import path from 'node:path';
 import { after, before, test } from 'node:test';
+import { pathToFileURL } from 'node:url';
+import { deflateRawSync } from 'node:zlib';
 import puppeteer from 'puppeteer-core';
 
+import { htmlFile } from '../../web/edit/files/html-file.js';
 import { launch } from './browser.mjs';
 import { hashHeadless } from './headless.mjs';
 import { roomFiles } from './room.mjs';
@@ -171,5 +177,38 @@ test(
     });
   },
 );
+
+test('one HTML file plays from a disk', { skip }, async (t) => {
+  const folder = await mkdtemp(path.join(tmpdir(), 'slicecast-firefox-'));
+  t.after(() => rm(folder, { recursive: true }));
+  const file = path.join(folder, 'room.html');
+  const player = await readFile(
+    new URL('../../build/web/edit/player.txt', import.meta.url),
+    'utf8',
+  );
+  const files = roomFiles();
+  const html = await htmlFile({
+    player,
+    text: files['scenes/room.json'],
+    readPicture: async (name) => Buffer.from(files[path.posix.join('scenes', name)]),
+    deflate: deflateRawSync,
+  });
+  await writeFile(file, html);
+  await page.goto(pathToFileURL(file).href);
+  await page.waitForFunction(() => document.activeElement.localName === 'ray-caster');
+  const before = await page.evaluate(() => document.querySelector('ray-caster').currentView);
+  await page.keyboard.press('Enter');
+  await page.waitForFunction(() => document.querySelector('ray-caster').entered);
+  await page.keyboard.down('w');
+  await page.waitForFunction(
+    ({ x, y }) => {
+      const now = document.querySelector('ray-caster').currentView;
+      return Math.hypot(now.x - x, now.y - y) > 0.3;
+    },
+    {},
+    before,
+  );
+  await page.keyboard.up('w');
+});
 
 test('there were no errors on the console', { skip }, () => assert.deepEqual(complaints, []));

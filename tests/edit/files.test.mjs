@@ -395,6 +395,9 @@ test('what is no picture, or too large a one, is refused', () => {
   const large = Buffer.from(kPicture);
   large.writeUInt32BE(20000, 16);
   assert.throws(() => pictureSizeOf(large), /20000 × 128 pixels/);
+  large.writeUInt32BE(12000, 16);
+  large.writeUInt32BE(12000, 20);
+  assert.throws(() => pictureSizeOf(large), /12000 × 12000 pixels, expected at most 64 million/);
 });
 
 test('a title in a tag or a frame stays a title', () => {

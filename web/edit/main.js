@@ -380,9 +380,11 @@ const saving = new Saving(scene, history, {
   choose: conflictDialog(byId('conflict'), (text) => saveBar.saveCopy(text)),
 });
 const saveBar = new SaveBar({ scene, saving, world, ownPictures, tell: toast });
-const keep = () => {
-  if (scene.mistake === null) kept.keep(scene.text, ownPictures.kept, saving.base);
-};
+const toKeep = () =>
+  scene.mistake === null && tab.hasWorld
+    ? { text: scene.text, pictures: ownPictures.kept, base: saving.base }
+    : null;
+const keep = () => kept.keep(toKeep);
 scene.listen(keep);
 saving.listen(keep);
 kept.listen((what) => {
@@ -391,7 +393,7 @@ kept.listen((what) => {
     failed: 'This browser keeps nothing: save the scene before you close the page.',
   }[what];
 });
-new OneTab(world.name, byId('other-tab'), {
+const tab = new OneTab(world.name, byId('other-tab'), {
   flush: () => kept.write(),
   reload: () => saveBar.leave(() => location.reload()),
   copy: async () => {
@@ -401,6 +403,7 @@ new OneTab(world.name, byId('other-tab'), {
   },
 });
 shareDialog(byId('share'), byId('open-share'), { scene, own, ownPictures, world, saveBar });
+byId('anew').parentElement.hidden = world.name.startsWith('file '); // there is no other copy
 openDialog(byId('files'), byId('open-files'), {
   importing: byId('import'),
   readShipped: () => shipped,
@@ -441,7 +444,7 @@ function start() {
   caster.look({ ...view, z: view.z + 1.2, flying: true });
   document.body.dataset.state = 'ready';
   tour.begin({ once: !new URL(location.href).searchParams.has('tour') });
-  saving.settle().catch((error) => toast(error.message));
+  saveBar.settle();
   // For the browser's console, and for tests.
   window.slicecastEditor = { scene, history, editor, sync, caster, saving };
 }

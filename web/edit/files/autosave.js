@@ -3,7 +3,7 @@
 //
 //     const kept = new Autosave('castle');
 //     await kept.read()                          // {text, pictures, base, savedAt} or null
-//     kept.keep(text, pictures, base);           // soon; the last one counts
+//     kept.keep(() => world);                    // soon, as it is then; null: not now
 //     await kept.write();                        // at once what is to be kept
 //     kept.listen((what) => ...)                 // 'kept', 'failed'
 //     await kept.forget();
@@ -15,7 +15,7 @@ const kDelay = 400; // milliseconds
 export class Autosave {
   #name;
   #timer = 0;
-  #world = null; // to be kept
+  #find = null; // gives what is to be kept
   #listeners = [];
 
   constructor(name) {
@@ -31,23 +31,23 @@ export class Autosave {
     return readWorld(this.#name);
   }
 
-  keep(text, pictures, base) {
-    this.#world = { text, pictures, base };
+  keep(find) {
+    this.#find = find;
     clearTimeout(this.#timer);
     this.#timer = setTimeout(() => this.write(), kDelay);
   }
 
   async forget() {
     clearTimeout(this.#timer);
-    this.#world = null;
+    this.#find = null;
     await forgetWorld(this.#name);
   }
 
   async write() {
     clearTimeout(this.#timer);
-    const world = this.#world;
+    const world = this.#find?.() ?? null;
+    this.#find = null;
     if (world === null) return;
-    this.#world = null;
     try {
       await writeWorld(this.#name, world);
       this.#tell('kept');

@@ -1,7 +1,8 @@
 // Sees that one tab alone changes a world. Takes its name and a function that keeps what is not
 // kept yet; asks the visitor by a dialog, and gives the world from tab to tab.
 //
-//     new OneTab('castle', dialog, { flush: async () => {...}, reload() {...}, copy() {...} });
+//     const tab = new OneTab('castle', dialog, { async flush() {}, reload() {}, copy() {} });
+//     tab.hasWorld                  // else nothing may be kept here
 //
 // The tab that had a world first has it. Another one asks: take over, or open a copy? The tab that
 // has given a world away asks the same.
@@ -15,6 +16,7 @@ export class OneTab {
   #channel = new BroadcastChannel('slicecast edit');
   #id = crypto.randomUUID();
   #has = true;
+  #isGiving = false; // what is not kept yet may still be
   #given = () => {};
 
   constructor(name, dialog, actions) {
@@ -28,14 +30,20 @@ export class OneTab {
     this.#say('open');
   }
 
+  get hasWorld() {
+    return this.#has || this.#isGiving;
+  }
+
   async #hear({ name, id, what }) {
     if (name !== this.#name || id === this.#id) return;
     if (what === 'open' && this.#has) this.#say('here');
     else if (what === 'here') this.#ask('This world is open in another tab.');
     else if (what === 'given') this.#given();
     else if (what === 'take' && this.#has) {
+      this.#isGiving = true;
       this.#ask('Another tab has taken this world over. What you did here is there, too.');
       await this.#actions.flush();
+      this.#isGiving = false;
       this.#say('given');
     }
   }

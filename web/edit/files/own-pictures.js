@@ -38,7 +38,7 @@ export class OwnPictures {
     this.#find('side').append(...kSides.map((side) => new Option(side, side)));
     addEventListener('paste', ({ clipboardData, target }) => {
       const files = [...(clipboardData?.files ?? [])];
-      const isText = target.closest?.('input, textarea, .cm-editor') !== null;
+      const isText = Boolean(target.closest?.('input, textarea, .cm-editor'));
       if (files.length > 0 && !isText && this.takes(files)) this.add(files);
     });
   }

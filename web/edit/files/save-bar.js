@@ -5,6 +5,7 @@
 //     await saveBar.save();          // into its file; without one, as a file to be named
 //     await saveBar.saveAs();
 //     saveBar.saveCopy(text)         // as a download; the words for it
+//     saveBar.settle();              // with what others have saved
 //     saveBar.leave(() => location.reload());      // without the question
 //     saveBar.name                   // for files, without an ending
 
@@ -35,7 +36,7 @@ export class SaveBar {
     addEventListener('beforeunload', (event) => {
       if (saving.isUnsaved && !this.#isLeaving) event.preventDefault();
     });
-    addEventListener('focus', () => saving.settle().catch(() => {})); // a save will tell
+    addEventListener('focus', () => this.settle());
     saving.listen(() => this.#show());
     this.#show();
   }
@@ -67,6 +68,12 @@ export class SaveBar {
         await file.write(this.#saving.bytes, null);
         this.#tell(`Saved a copy as ${file.name}`);
       });
+  }
+
+  // Others may have saved the file. Not while the visitor is asked something else.
+  async settle() {
+    if (document.querySelector('dialog[open]') !== null) return;
+    await this.#saving.settle().catch(() => {}); // a save will tell
   }
 
   saveCopy(text) {
