@@ -158,7 +158,7 @@ export class Selecting {
 
   // ---- Keys
 
-  key({ code, ctrlKey, metaKey, shiftKey }) {
+  key({ code, ctrlKey, metaKey, shiftKey, target }) {
     const editor = this.#editor;
     const hasSelection = editor.tool === select && editor.selection !== null;
     const hasBrush = editor.tool === stamp && editor.brush !== null;
@@ -180,7 +180,8 @@ export class Selecting {
     else if (!hasSelection) return false;
     else if (code === 'KeyN') this.#fill();
     else if (code === 'KeyK' && shiftKey) this.save();
-    else if (kArrows[code] !== undefined) this.#move(this.#stepOf(code, shiftKey));
+    else if (kArrows[code] !== undefined && target.closest?.('[role=tablist]') == null)
+      this.#move(this.#stepOf(code, shiftKey));
     else return false;
     return true;
   }
