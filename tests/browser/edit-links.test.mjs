@@ -80,7 +80,7 @@ test('a pair of portals is made in the picture, walked through, moved and remove
   const { page } = await openEditor(t);
   await build(page, [14, 14], [19, 14]);
   await lookAt(page, { x: 16.5, y: 21.5, z: 1.4, heading: 270, look: -0.15 });
-  await page.keyboard.press('KeyL');
+  await page.keyboard.press('KeyY');
   await click(page, [14.5, 15, 0.5]);
   assert.equal((await pendingOf(page)).kind, 'portal');
   await page.keyboard.press('Escape');
@@ -115,7 +115,7 @@ test('a pair of portals is made in the picture, walked through, moved and remove
 test('on the plan the nearest side of a block counts; an end is dragged there', async (t) => {
   const { page } = await openEditor(t);
   await build(page, [8, 8], [20, 14]);
-  await page.keyboard.press('KeyL');
+  await page.keyboard.press('KeyY');
   const at = await planOf(page);
   await page.mouse.click(...at(8.9, 8.5));
   await page.mouse.click(...at(20.5, 14.1));
@@ -140,7 +140,7 @@ test('on the plan a gate gets its find, messages are drawn, and blocks get a way
   await page.click('#palette [data-key="find shell"]');
   await page.mouse.click(...at(12.5, 8.5));
   await settle(page);
-  await page.keyboard.press('KeyL');
+  await page.keyboard.press('KeyY');
   await page.click('[data-way=gate]');
   await page.mouse.click(...at(8.5, 8.5));
   await page.mouse.click(...at(12.5, 8.5));
@@ -178,7 +178,7 @@ test('find the key, open the gate, leave: a game made without a word of text', a
   await page.keyboard.press('KeyT');
   await page.click('#palette [data-key="find crystal"]');
   await click(page, [16.5, 18, 0]);
-  await page.keyboard.press('KeyL');
+  await page.keyboard.press('KeyY');
   await page.keyboard.press('KeyO');
   assert.equal(await page.getAttribute('[data-way=gate]', 'aria-pressed'), 'true');
   await click(page, [16.5, 16, 0.5]);
@@ -223,7 +223,7 @@ test('a way is clicked in the picture, and changed on the plan', async (t) => {
   });
   await settle(page);
   await lookAt(page, { x: 16.5, y: 23.5, z: 3, heading: 270, look: -0.4 });
-  await page.keyboard.press('KeyL');
+  await page.keyboard.press('KeyY');
   await page.click('[data-way=way]');
   await click(page, [14.5, 16.5, 0.4]);
   assert.equal((await pendingOf(page)).kind, 'way');
@@ -311,7 +311,7 @@ test('a portal to another map, made on the plan, takes a new name of that map al
     history.do('Add', [{ path: ['maps', 1], value: { ...first, name: 'cellar' } }]);
   });
   await settle(page);
-  await page.keyboard.press('KeyL');
+  await page.keyboard.press('KeyY');
   const at = await planOf(page);
   await page.mouse.click(...at(8.5, 8.9));
   await page.selectOption('#map', '1');
@@ -367,7 +367,7 @@ test('by keys alone: a portal in the picture, and a way on the plan', async (t) 
     history.do('Add', [{ path: ['maps', 0, 'objects', 0], value: guard }]);
   });
   await settle(page);
-  await page.keyboard.press('KeyL');
+  await page.keyboard.press('KeyY');
   await lookAt(page, { x: 14.5, y: 16.5, z: 0.6, heading: 270, look: 0 });
   await page.keyboard.press('Enter');
   await lookAt(page, { x: 19.5, y: 16.5, z: 0.6, heading: 270, look: 0 });

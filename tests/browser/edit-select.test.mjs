@@ -421,8 +421,8 @@ test('maps grow, get levels, are renamed, added and removed', async (t) => {
   await page.click('#map-tools button:text-is("Take out level 0")');
   assert.deepEqual((await maps())[0].levels, kYard.maps[0].levels);
 
-  await page.fill('#map-tools input', 'court');
-  await page.press('#map-tools input', 'Enter');
+  await page.fill('#part-map [data-path="maps,0,name"]', 'court');
+  await page.press('#part-map [data-path="maps,0,name"]', 'Tab');
   assert.equal(await page.textContent('#map option'), 'court');
   await page.click('#map-tools button:text-is("New map")');
   await page.fill('dialog.small label:text-is("Name") + input', 'den');
@@ -452,8 +452,10 @@ for (const [name, viewport] of Object.entries({
     for (const view of ['picture', 'plan']) {
       await page.click(`[data-view=${view}]`);
       const [bar, levels] = await told(page, () =>
-        ['select-bar', 'level-bar'].map((id) => {
-          const { left, right, top, bottom } = document.getElementById(id).getBoundingClientRect();
+        ['#select-bar', '#plan-view .view-bar'].map((selector) => {
+          const { left, right, top, bottom } = document
+            .querySelector(selector)
+            .getBoundingClientRect();
           return { left, right, top, bottom };
         }),
       );

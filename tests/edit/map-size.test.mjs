@@ -13,7 +13,6 @@ const {
   kPlaces,
   lossesOf,
   printed,
-  renamed,
   resized,
   SceneDocument,
   sizeOfMap,
@@ -207,24 +206,6 @@ test('a level is put in and taken out, and heights follow', () => {
   assert.deepEqual(lower.maps[0].levels, [kScene.maps[0].levels[1]]);
   assert.equal(lower.maps[0].portals[0], undefined, 'its block is gone');
   assert.deepEqual([lower.maps[0].objects[0].z, lower.maps[0].ceiling.height], [0, 1]);
-});
-
-test('a new name is known wherever the old one was', () => {
-  const { maps, start } = renamed(kScene, 1, 'cellar');
-  assert.equal(maps[1].name, 'cellar');
-  assert.equal(maps[0].portals[0].to.map, 'cellar');
-  assert.equal(maps[0].objects[1].motion.path[1].map, 'cellar');
-  assert.equal(start, kScene.start);
-  for (const [file, value] of shipped) {
-    value.maps.forEach(({ name }, index) => {
-      const next = renamed(value, index, 'another name');
-      assert.deepEqual(renamed(next, index, name), value, file);
-      assert.ok(
-        !JSON.stringify(next).includes(`"map":${JSON.stringify(name)}`),
-        `${file}, ${name}: all that leads there follows`,
-      );
-    });
-  }
 });
 
 test('a map goes with what leads to it, and the start comes to another one', () => {

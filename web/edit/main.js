@@ -188,7 +188,9 @@ const actions = {
   sideView: () => (byId('side-view').hidden ? showView('side') : side.turn()),
   ofView: (event) =>
     event.target.closest?.('#picture, #panel') === null && (flatView()?.take(event) ?? false),
-  level: (by) => setLevel(editor.level + by),
+  level(by) {
+    if (editor.stroke === null || !editor.turn(by)) setLevel(editor.level + by);
+  },
   tool: (name) => editor.choose({ tool: kTools.find((tool) => tool.name === name) }),
   way() {
     const ways = editor.tool.ways ?? [];
@@ -209,12 +211,17 @@ const actions = {
   },
   duplicate: () => editor.duplicate(),
   finish: () => editor.finish(),
+  // Of what has two corners, the first one, then the second one.
   use() {
-    if (editor.stroke !== null) return;
+    if (editor.stroke !== null) {
+      editor.release();
+      return;
+    }
     const isAimed = editor.target === null;
     if (isAimed) (flatView() ?? pictureView).aim();
     if (editor.target === null) return;
     editor.press(editor.target);
+    if (editor.tool.hasCorners?.(editor.way)) return;
     editor.release();
     if (isAimed) editor.point(null);
   },

@@ -1,4 +1,4 @@
-// The map's own part of the panel: its name, its size and its levels, new maps and their removal.
+// The map's own part of the panel: its size and its levels, new maps and their removal.
 // What would be lost is told first. Takes an editor; gives changes to the history.
 //
 //     const maps = new MapPanel(place, editor, { moved({ x, y, z }) {} });
@@ -9,7 +9,6 @@ import { differences } from './differences.js';
 import {
   kMostTiles,
   lossesOf,
-  renamed,
   resized,
   withLevel,
   withMap,
@@ -28,7 +27,6 @@ const kUsualSide = 24; // tiles of a new map
 
 export class MapPanel {
   #editor;
-  #name;
   #buttons = {};
   #moved;
 
@@ -36,9 +34,6 @@ export class MapPanel {
   constructor(place, editor, { moved }) {
     this.#editor = editor;
     this.#moved = moved;
-    this.#name = document.createElement('input');
-    this.#name.maxLength = 100;
-    this.#name.addEventListener('change', () => this.#rename());
     const button = (name, label, about, act) => {
       const made = document.createElement('button');
       made.type = 'button';
@@ -49,7 +44,6 @@ export class MapPanel {
       return made;
     };
     place.append(
-      field('Name', this.#name),
       row(
         button('size', 'Size', 'Change the size of this map', () => this.#size()),
         button('add', 'New map', 'Add a map to the world', () => this.#add()),
@@ -72,7 +66,6 @@ export class MapPanel {
     const { scene, map, level } = this.#editor;
     const { maps } = scene.value;
     if (maps[map] === undefined) return;
-    if (document.activeElement !== this.#name) this.#name.value = maps[map].name;
     const { levels } = sizeOf(scene, map);
     const { size, remove, insert, take } = this.#buttons;
     size.disabled = scene.mistake !== null;
@@ -87,19 +80,6 @@ export class MapPanel {
     const { scene, history } = this.#editor;
     history.do(label, differences(scene.value, next, []));
     if (by !== null) this.#moved({ x: 0, y: 0, z: 0, ...by });
-  }
-
-  #rename() {
-    const { scene, map } = this.#editor;
-    const name = this.#name.value.trim();
-    const others = scene.value.maps.filter((_, index) => index !== map);
-    const isTaken = others.some((other) => other.name === name);
-    const problem = name === '' ? 'A map needs a name.' : isTaken ? 'A map has this name.' : '';
-    this.#name.setCustomValidity(problem);
-    this.#name.reportValidity();
-    if (problem !== '' || name === scene.value.maps[map].name) return;
-    this.#do('Rename the map', renamed(scene.value, map, name), {});
-    this.#editor.choose({});
   }
 
   async #size() {

@@ -1,11 +1,11 @@
-// Maps that grow, shrink, get and lose levels, are renamed, added and removed. All that lies at a
+// Maps that grow, shrink, get and lose levels, are added and removed. All that lies at a
 // place in the map moves along, wherever the scene says it.
 // Takes and gives values of scenes; a member that goes is undefined in its list, so that
 // differences() finds what changed. Changes nothing in place, and knows no document.
 //
 //     resized(value, 0, { west: 0, north: 2, east: 0, south: -1 })    // tiles added at each side
 //     withLevel(value, 0, 1)        withoutLevel(value, 0, 1)
-//     renamed(value, 0, 'yard')     withoutMap(value, 0)    withMap(value, { name, ... }, 0)
+//     withoutMap(value, 0)          withMap(value, { name, ... }, 0)
 //     lossesOf(before, after)       // what went, as words: ['3 objects', 'a portal']
 
 import { signsOf } from '../engine/signs.js';
@@ -164,20 +164,7 @@ function lifting(value, map, { up, edge, level }) {
   });
 }
 
-// ---- Names
-
-export function renamed(value, map, name) {
-  const old = value.maps[map].name;
-  const rename = (place) => (place.map === old ? { ...place, map: name } : place);
-  const next = overPlaces(value, {
-    point: rename,
-    start: rename,
-    area: rename,
-    portal: (portal) =>
-      portal.to.map === old ? { ...portal, to: { ...portal.to, map: name } } : portal,
-  });
-  return withMapAt(next, map, { ...next.maps[map], name });
-}
+// ---- Maps
 
 // What leads to the map goes, too. The start comes to the middle of the first map that is left.
 export function withoutMap(value, map) {

@@ -13,7 +13,7 @@ const kTabs = ['kind', 'thing', 'map', 'world'];
 // What other parts of the page show already
 const kLeaveOut = {
   kind: ['faces', 'top', 'bottom'],
-  map: ['name', 'objects'],
+  map: ['objects'],
   world: ['title', 'maps'],
 };
 const byId = (id) => document.getElementById(id);

@@ -22,6 +22,8 @@ const kGridFrom = 7; // from this scale on there are lines between tiles
 const kBelow = 0.38; // of what a level below shows through
 const kNear = 10; // CSS pixels from the middle of a thing
 
+const kArrows = { ArrowUp: [0, -1], ArrowRight: [1, 0], ArrowDown: [0, 1], ArrowLeft: [-1, 0] };
+
 export class PlanView extends CanvasView {
   #colours;
   #caster;
@@ -63,6 +65,20 @@ export class PlanView extends CanvasView {
   aim() {
     const view = this.#caster.currentView;
     if (view?.map === this.editor.mapName) this.editor.point(this.find([view.x, view.y]));
+  }
+
+  // Arrows go from tile to tile, from where one points, or else from the eye.
+  take(event) {
+    const step = kArrows[event.key];
+    if (step === undefined) return super.take(event);
+    const { target } = this.editor;
+    if (target?.view !== 'plan') {
+      this.aim();
+      return true;
+    }
+    const [x, y] = [target.cell.x + step[0] + 0.5, target.cell.y + step[1] + 0.5];
+    this.editor.point(this.find([x, y]) ?? target);
+    return true;
   }
 
   // The wheel over a handle is the tool's.

@@ -38,5 +38,8 @@ export async function keepOpened(wanted, world) {
   return `?file=${encodeURIComponent(name)}`;
 }
 
-const isFree = (kept, { text }) =>
-  kept === null || kept.text === text || kept.base?.isSaved === true;
+const isFree = (kept, world) =>
+  kept === null || kept.base?.isSaved === true || contentOf(kept) === contentOf(world);
+
+const contentOf = ({ text, pictures = [] }) =>
+  JSON.stringify([text, [...pictures].map(([name, { length }]) => [name, length])]);

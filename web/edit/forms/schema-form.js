@@ -98,18 +98,18 @@ export class SchemaForm {
       kind?.type === 'object' || (kind?.type === 'list' && !isPlainList(this.#schema, kind));
     return isLarge || kind === undefined
       ? this.#part(path, said, kind, value, { node, key, isNeeded })
-      : this.#field(path, said, kind, value, key);
+      : this.#field(path, said, kind, value, { key, isNeeded });
   }
 
   // ---- Lines with a field
 
-  #field(path, said, kind, value, key) {
+  #field(path, said, kind, value, { key, isNeeded }) {
     const line = document.createElement('p');
     line.className = 'field';
     const label = document.createElement('label');
     label.textContent = titleOf(said, key);
     label.title = said.about;
-    const field = this.#control(path, said, kind, value);
+    const field = this.#control(path, said, kind, value, isNeeded);
     field.id = `form-${(ids += 1)}`;
     field.dataset.path = String(path);
     label.htmlFor = field.id;
@@ -124,7 +124,8 @@ export class SchemaForm {
     return line;
   }
 
-  #control(path, said, kind, value) {
+  // What is needed can be changed, but not cleared.
+  #control(path, said, kind, value, isNeeded) {
     const { fallback } = said;
     if (kind.type === 'boolean' && fallback !== undefined) {
       const box = document.createElement('input');
@@ -140,8 +141,9 @@ export class SchemaForm {
       const select = document.createElement('select');
       const words = (choice) =>
         choice === true ? 'yes' : choice === false ? 'no' : String(choice);
+      const usual = new Option(fallback === undefined ? '–' : `${words(fallback)} (usual)`, '');
       select.append(
-        new Option(fallback === undefined ? '–' : `${words(fallback)} (usual)`, ''),
+        ...(isNeeded && value !== undefined ? [] : [usual]),
         ...choices.map((choice, index) => new Option(words(choice), index)),
       );
       select.value = value === undefined ? '' : String(choices.indexOf(value));
@@ -164,8 +166,9 @@ export class SchemaForm {
     input.placeholder = fallback === undefined ? '' : textOf(fallback);
     input.value = value === undefined ? '' : textOf(value);
     input.spellcheck = false;
+    input.required = isNeeded;
     input.addEventListener('change', () => {
-      if (input.value === '') {
+      if (input.value === '' && !isNeeded) {
         this.#set(path, undefined);
         return;
       }

@@ -19,6 +19,7 @@ export const box = {
   key: 'X',
   about: 'Drag from corner to corner. The wheel sets the height. O: solid, hollow or walls.',
   ways: ['solid', 'hollow', 'walls'],
+  hasCorners: () => true,
 
   point({ mapName, cell, before }, { removes }) {
     const at = removes ? cell : before;

@@ -19,6 +19,7 @@ export const line = {
   label: 'Line',
   key: 'L',
   about: 'Drag from end to end. The wheel lifts the second end.',
+  hasCorners: () => true,
 
   point({ mapName, cell, before }, { removes }) {
     const at = removes ? cell : before;

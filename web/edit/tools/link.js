@@ -38,6 +38,7 @@ export const link = {
   waysAbout: kHelp,
   isFree: true,
   hasThings: true,
+  hasCorners: (way) => isArea(way),
 
   help: ({ way, pending }) => kNext[pending?.kind] ?? kHelp[way] ?? '',
 

@@ -33,6 +33,7 @@ export const select = {
     'Drag a box; the wheel adds levels. Drag what is selected to move it. O: box, kind, joined.',
   ways: ['box', 'same kind', 'joined'],
   hasSelection: true,
+  hasCorners: (way) => way === 'box',
 
   point(target, { selection, removes }) {
     const at = placeOf(target);
