@@ -256,7 +256,12 @@ test('files that are missing are asked for', async (t) => {
   assert.doesNotMatch(await page.textContent('#import-not-taken'), /png|tsx/);
   await open(page, 'far');
   assert.equal((await rowsOf(page, 0)).length, kDepth);
-  // The same map again is another world; what is dropped onto the dialog joins it.
+  // The same map again is another world, once something was made of the first one; what is dropped
+  // onto the dialog joins it.
+  await told(page, () =>
+    window.slicecastEditor.history.do('Rename', [{ path: ['title'], value: 'Mine' }]),
+  );
+  await page.waitForFunction(() => document.getElementById('kept').textContent.startsWith('Kept'));
   await choose(page, [file('far.tmj', mapOf(kTileset))]);
   await shown(page);
   await told(

@@ -266,7 +266,7 @@ test('zips that unpack to too much are refused early', async () => {
 test('what is no scene is refused in words', async () => {
   for (const [file, message] of [
     [fileOf('a.json', '{'), /a\.json is no JSON/],
-    [fileOf('a.json', '[1]'), /has no maps/],
+    [fileOf('a.json', '[1]'), /found a list, expected/],
     [fileOf('a.json', 'null'), /has no maps/],
     [fileOf('a.json', Uint8Array.of(0xff)), /no UTF-8/],
     [zipOf({ 'a.png': kPicture }), /expected a scene/],

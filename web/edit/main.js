@@ -269,6 +269,7 @@ editor.listen((what, words) => {
   else if (what === 'choice') showChoice();
   else showWhere();
 });
+scene.listen(({ isWhole }) => isWhole && showMaps());
 showChoice();
 
 function showChoice() {
@@ -277,14 +278,18 @@ function showChoice() {
   byId('about').textContent = editor.about;
   byId('level').textContent = String(editor.level);
   byId('section').textContent = side.name;
+  showMaps();
+  panel.show();
+  mapPanel.show();
+  showWhere();
+}
+
+function showMaps() {
   const maps = scene.value.maps.map(({ name }) => name);
   const list = byId('map');
   if (String([...list.options].map(({ text }) => text)) !== String(maps))
     list.replaceChildren(...maps.map((name, index) => new Option(name, index)));
   list.value = String(editor.map);
-  panel.show();
-  mapPanel.show();
-  showWhere();
 }
 
 function showWhere() {

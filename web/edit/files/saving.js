@@ -73,9 +73,9 @@ export class Saving {
   }
 
   get base() {
-    const { isUnsaved } = this;
+    const isSaved = this.#home !== null && !this.isUnsaved; // a world without a file is only here
     const handle = this.#home?.handle;
-    return { form: this.#form, tag: this.#tag, isSaved: !isUnsaved, ...(handle && { handle }) };
+    return { form: this.#form, tag: this.#tag, isSaved, ...(handle && { handle }) };
   }
 
   async save() {
