@@ -103,7 +103,7 @@ void readLegend(Checker& checker, JsonValue value, const NameTable& names, const
 }
 
 void readRow(Checker& checker, JsonValue value, int row, int width, const Legend& legend,
-             std::vector<std::uint16_t>& ids) {
+             std::vector<std::uint16_t>& ids, bool spacesKeep) {
     const std::string_view text = value.text();
     std::vector<std::string_view> reported;
     std::size_t offset = 0;
@@ -112,7 +112,7 @@ void readRow(Checker& checker, JsonValue value, int row, int width, const Legend
         const std::string_view sign = takeSign(text, offset);
         const std::optional<std::uint16_t> id = legend.find(sign);
         if (id) {
-            if (x < width) ids[static_cast<std::size_t>(x)] = *id;
+            if (x < width && !(spacesKeep && sign == " ")) ids[static_cast<std::size_t>(x)] = *id;
         } else if (reported.size() < kMostReportedPerRow &&
                    std::find(reported.begin(), reported.end(), sign) == reported.end()) {
             // Once per row, or a sign that the legend lacks would fill the list.
@@ -125,6 +125,14 @@ void readRow(Checker& checker, JsonValue value, int row, int width, const Legend
         checker.addInRow(value, row, std::min(x, width), {"a row of ", Counted{x, "character"}},
                          {Counted{width, "character"}, ", as in the other rows"});
     }
+}
+
+std::uint16_t readSign(Checker& checker, JsonValue value, const Legend& legend) {
+    if (value.isText()) {
+        if (const auto id = legend.find(value.text())) return *id;
+    }
+    checker.refuse(value, {"a character of the legend: ", legend.characters()});
+    return 0;
 }
 
 }  // namespace slicecast

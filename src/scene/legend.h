@@ -60,8 +60,12 @@ struct GridSize {
 };
 
 // Writes the number of each sign of a row to `ids`. Reports signs that the legend lacks, whose
-// entries stay as they are, and rows that are not `width` signs long.
+// entries stay as they are, and rows that are not `width` signs long. With `spacesKeep`, the
+// entries of spaces stay as well.
 void readRow(Checker& checker, JsonValue value, int row, int width, const Legend& legend,
-             std::vector<std::uint16_t>& ids);
+             std::vector<std::uint16_t>& ids, bool spacesKeep = false);
+
+// The number of a text that is one sign of the legend. Reports what it is else, and returns 0.
+std::uint16_t readSign(Checker& checker, JsonValue value, const Legend& legend);
 
 }  // namespace slicecast

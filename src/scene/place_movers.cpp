@@ -17,15 +17,27 @@ JsonValue elementOf(JsonValue array, int index) {
     return *element;
 }
 
-// At the cell's character in its row.
+// Whether a row leaves the tile to what fills its level.
+bool keeps(JsonValue row, int x) {
+    std::size_t offset = 0;
+    for (int i = 0; i < x; ++i) takeSign(row.text(), offset);
+    return row.text()[offset] == ' ';
+}
+
+// At the cell's character in its row, or at what fills its level.
 void addFault(Reading& reading, const PlacingFault& fault) {
-    const JsonValue map = reading.mapValues[static_cast<std::size_t>(fault.map)];
-    const auto levels = map.find("levels");
-    if (!levels) return;
-    const JsonValue rows = elementOf(*levels, fault.level);
-    if (rows.count() == 0) return reading.checker.add(rows, fault.found, fault.expected);
-    reading.checker.addInRow(elementOf(rows, fault.y), fault.y, fault.x, fault.found,
-                             fault.expected);
+    const JsonValue level =
+        reading.levels[static_cast<std::size_t>(fault.map)][static_cast<std::size_t>(fault.level)];
+    const FoundValue rows = level.isArray() ? level : level.find("rows");
+    if (rows && rows->count() > 0) {
+        const JsonValue row = elementOf(*rows, fault.y);
+        if (level.isArray() || !keeps(row, fault.x))
+            return reading.checker.addInRow(row, fault.y, fault.x, fault.found, fault.expected);
+    }
+    if (level.isArray()) return reading.checker.add(level, fault.found, fault.expected);
+    reading.checker.add(*level.find("fill"),
+                        {fault.found, " at x ", fault.x, ", y ", fault.y, ", level ", fault.level},
+                        fault.expected);
 }
 
 // Each frame of a sheet that a gate shows becomes a texture.

@@ -47,7 +47,7 @@ Map readMap(Reading& reading, JsonValue value, std::size_t index) {
     Map map;
     const auto fields =
         checker.fields(value,
-                       {"name", "legend", "levels", "floor", "ceiling", "objects", "sow",
+                       {"name", "legend", "size", "levels", "floor", "ceiling", "objects", "sow",
                         "messages", "portals", "sky", "light", "baked", "fog", "haze", "far"},
                        "a map: an object with \"name\", \"levels\" and \"floor\"");
     if (!fields) return map;
@@ -60,7 +60,7 @@ Map readMap(Reading& reading, JsonValue value, std::size_t index) {
     for (const auto& [sign, blueprint] : legend.entries())
         map.legend.push_back({std::string(sign), blueprint});
     if (const auto levels = fields->require("levels", "an array of levels"))
-        readLevels(reading, *levels, legend, map);
+        readLevels(reading, *levels, fields->find("size"), legend, map);
     const bool hasSize = map.width > 0;
 
     if (const auto floor = fields->require("floor", "the floor's texture"))

@@ -10,8 +10,6 @@ namespace {
 
 constexpr NumberRange kNoticeNear = {0.0, kFarthestNotice, false,
                                      "a number from 0 to 32, in units"};
-constexpr NumberRange kTile = {0.0, 4095.0, false, "a whole number of a tile, from 0 to 4095"};
-constexpr NumberRange kTiles = {1.0, 4096.0, false, "a whole number of tiles, from 1 to 4096"};
 constexpr NumberRange kAreaHeight = {0.0, kMaxHeight, false, "a number from 0 to 1000"};
 constexpr NumberRange kCount = {1.0, static_cast<double>(kMaxFinds), false,
                                 "a whole number of finds, from 1 to 1024"};

@@ -23,6 +23,10 @@ namespace slicecast {
 // Ranges that several readers share.
 inline constexpr NumberRange kOnMapRange = {0.0, 4096.0, false,
                                             "a number from 0 to 4096, on the map"};
+inline constexpr NumberRange kTile = {0.0, 4095.0, false,
+                                      "a whole number of a tile, from 0 to 4095"};
+inline constexpr NumberRange kTiles = {1.0, 4096.0, false,
+                                       "a whole number of tiles, from 1 to 4096"};
 inline constexpr NumberRange kObjectSizeRange = {0.0, kMaxObjectSize, true,
                                                  "a number above 0 and at most 64, in units"};
 inline constexpr NumberRange kHeadingRange = {
@@ -105,7 +109,9 @@ struct Reading {
     NameTable maps;        // index into World::maps
     bool areBlueprintsSound = false;
     std::vector<bool> isMapSound;
-    std::int64_t cells = 0;  // of all maps so far
+    std::int64_t cells = 0;                           // of all maps so far
+    std::int64_t filledCells = 0;                     // those that rows and fills set
+    std::vector<std::vector<JsonValue>> levels = {};  // of each map, those that repeat repeated
     std::vector<PlacedMotion> placedMotions = {};
     std::vector<SowingOrder> sowings = {};
     NameTable motions = {};  // index into World::motions
@@ -212,8 +218,8 @@ void readBlueprints(Reading& reading, JsonValue value);
 // far } ]
 void readMaps(Reading& reading, JsonValue value);
 
-// "levels" of a map: its size and cells.
-void readLevels(Reading& reading, JsonValue value, const Legend& legend, Map& map);
+// "levels" of a map, and its "size", which levels without rows need: its size and cells.
+void readLevels(Reading& reading, JsonValue value, FoundValue size, const Legend& legend, Map& map);
 
 // "mirror" of a roof or floor: how much of what is above shows in it; and "ripples": how far waves
 // move that. Both from 0 to 1, as shares of 255.

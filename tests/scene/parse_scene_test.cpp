@@ -103,7 +103,7 @@ TEST(ParseScene, ReadsEveryKey) {
         EXPECT_EQ(world.blueprints[slab].faces[face].light, lights[face]) << kFaceNames[face];
     }
 
-    ASSERT_EQ(world.maps.size(), 6u);
+    ASSERT_EQ(world.maps.size(), 7u);
     const Map& hall = world.maps[0];
     EXPECT_EQ(hall.name, "hall");
     EXPECT_EQ(hall.width, 5);

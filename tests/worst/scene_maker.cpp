@@ -299,17 +299,31 @@ private:
         }
     }
 
+    // Of a level, which is rows or may have some over what fills it.
+    static const Json& rowsOf(const Json& level) {
+        const Json* const rows = member(level, "rows");
+        return rows != nullptr ? *rows : level;
+    }
+
     // Notes the size of a map and the characters of a legend that hold within an object.
     void enter(const Json& object) {
         if (const Json* const levels = member(object, "levels")) {
             if (levels->IsArray())
-                for (const Json& rows : levels->GetArray())
+                for (const Json& level : levels->GetArray()) {
+                    const Json& rows = rowsOf(level);
                     if (rows.IsArray() && !rows.Empty() && rows[0].IsString()) {
                         depth_ = static_cast<int>(rows.Size());
                         width_ = static_cast<int>(fromUtf8(textOf(rows.Begin())).size());
                         levels_ = static_cast<int>(levels->Size());
                         break;
                     }
+                }
+            const Json* const size = member(object, "size");
+            if (size != nullptr && size->IsArray() && size->Size() == 2 && (*size)[0].IsInt() &&
+                (*size)[1].IsInt()) {
+                width_ = (*size)[0].GetInt();
+                depth_ = (*size)[1].GetInt();
+            }
         } else if (object.HasMember("texture") || &object == &scene_) {
             characters_.clear();
         }
@@ -327,7 +341,8 @@ private:
             value = made(schema, about);
         } else if (value.IsObject()) {
             enter(value);
-            if (value.HasMember("levels") && random_.oneIn(12)) return resize(value);
+            if (value.HasMember("levels") && value.HasMember("floor") && random_.oneIn(12))
+                return resize(value);
             Json* const inner =
                 value.ObjectEmpty() || random_.oneIn(3) ? nullptr : heavyMember(value, *way.schema);
             if (inner == nullptr) return changeObject(value, way);
@@ -534,10 +549,21 @@ private:
     void resize(Json& map) {
         const int width = random_.between(1, std::min(maker_.widest_, 1 + 2 * width_));
         const int depth = random_.between(1, std::min(maker_.widest_, 1 + 2 * depth_));
-        for (Json& rows : map["levels"].GetArray()) resizeRows(rows, width, depth);
+        resizeLevels(map["levels"], width, depth);
+        Json size(rapidjson::kArrayType);
+        size.PushBack(width, memory_).PushBack(depth, memory_);
+        if (map.HasMember("size")) map["size"] = size;
         for (const char* const plane : {"floor", "ceiling"})
             if (Json* const whole = member(map, plane); whole != nullptr && whole->IsObject())
                 if (Json* const tiles = member(*whole, "tiles")) resizeRows(*tiles, width, depth);
+    }
+    void resizeLevels(Json& levels, int width, int depth) {
+        if (!levels.IsArray()) return;
+        for (Json& level : levels.GetArray()) {
+            if (Json* const repeated = member(level, "levels"))
+                resizeLevels(*repeated, width, depth);
+            resizeRows(const_cast<Json&>(rowsOf(level)), width, depth);
+        }
     }
     void resizeRows(Json& rows, int width, int depth) {
         if (!rows.IsArray() || rows.Empty()) return;
@@ -571,6 +597,10 @@ private:
         const std::string_view type = textOf(member(one, "type"));
         if (type == "boolean") return Json(random_.oneIn(2));
         if (type == "number" || type == "integer") return madeNumber(one, type == "integer");
+        if (textOf(member(one, "title")) == "Character") {
+            const char32_t sign = character();
+            return text(toUtf8({&sign, 1}));
+        }
         if (type == "string") return madeText(one, way.about);
         if (type == "array") return madeArray(one, way.about);
         if (type == "object") return madeObject(one, way.about);
