@@ -1,4 +1,5 @@
 #include "scene/checker.h"
+#include "base/later_text.h"
 
 #include "base/sort.h"
 #include "scene/limits.h"
@@ -89,8 +90,8 @@ void Checker::addAtKey(JsonValue member, const Words& found, const Words& expect
 void Checker::addSecondKey(JsonValue again, JsonValue first) {
     if (onlyCounts()) return;
     const TextPosition place = source_.place(first.keyOffset());
-    addAtKey(again, {"the key ", quoted(again.key()), " a second time"},
-             {"each key once; the first is at line ", place.line, ", column ", place.column});
+    addAtKey(again, {"the key ", quoted(again.key()), " a second time"_later},
+             {"each key once; the first is at line "_later, place.line, ", column ", place.column});
 }
 
 void Checker::refuse(JsonValue value, const Words& expected) {
@@ -173,8 +174,8 @@ std::optional<Fields> Checker::fields(JsonValue value, std::span<const std::stri
             continue;
         } else if (!onlyCounts()) {
             const std::vector<std::string_view> keys(known.begin(), known.end());
-            addAtKey(member, {"the unknown key ", quoted(member.key())},
-                     {"one of the keys ", listed(keys), suggestion(member.key(), keys)});
+            addAtKey(member, {"the unknown key "_later, quoted(member.key())},
+                     {"one of the keys "_later, listed(keys), suggestion(member.key(), keys)});
             const std::string_view meant = nearestName(member.key(), keys);
             if (!meant.empty()) fields.addMisspelt(meant, member);
         }
@@ -232,6 +233,12 @@ std::optional<std::uint16_t> Checker::name(JsonValue value, const NameTable& nam
     return id;
 }
 
+void Checker::checkName(JsonValue member) {
+    if (member.key().empty() || countCharacters(member.key()) > kMaxNameLength)
+        addAtKey(member, {"the name ", quoted(member.key())},
+                 {"a name of 1 to "_later, kMaxNameLength, " characters"});
+}
+
 std::optional<Colour> Checker::colour(JsonValue value) {
     const std::string_view text = value.isText() ? value.text() : std::string_view();
     std::uint8_t channels[3] = {};
@@ -280,6 +287,12 @@ bool Fields::flag(const char* key, bool fallback) const {
 Colour Fields::colour(const char* key, Colour fallback) const {
     const FoundValue member = find(key);
     return member ? checker_->colour(*member).value_or(fallback) : fallback;
+}
+
+std::optional<std::uint16_t> Fields::mapOr(const NameTable& maps, int fallback) const {
+    const FoundValue member = find("map");
+    if (member) return checker_->name(*member, maps, "map");
+    return static_cast<std::uint16_t>(fallback);
 }
 
 }  // namespace slicecast

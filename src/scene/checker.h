@@ -88,6 +88,8 @@ public:
     std::optional<std::uint16_t> name(JsonValue value, const NameTable& names, const char* what);
     // "#rrggbb"
     std::optional<Colour> colour(JsonValue value);
+    // The key of a member, which names it.
+    void checkName(JsonValue member);
 
 private:
     struct Placed {
@@ -128,6 +130,8 @@ public:
     int wholeNumber(const char* key, const NumberRange& range, int fallback) const;
     bool flag(const char* key, bool fallback) const;
     Colour colour(const char* key, Colour fallback) const;
+    // The number of the "map"; nothing for an unknown one.
+    std::optional<std::uint16_t> mapOr(const NameTable& maps, int fallback) const;
     // The value of a name of the table.
     template <typename Value, std::size_t count>
     Value choice(const char* key, const Named<Value> (&table)[count], Value fallback) const {

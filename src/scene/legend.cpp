@@ -1,4 +1,5 @@
 #include "scene/legend.h"
+#include "base/later_text.h"
 
 #include "scene/limits.h"
 
@@ -66,7 +67,8 @@ std::string Legend::characters() const {
 void readLegend(Checker& checker, JsonValue value, const NameTable& names, const char* what,
                 Legend& legend) {
     if (!value.isObject()) {
-        checker.refuse(value, {"a legend: an object with a ", what, "'s name for each character"});
+        checker.refuse(
+            value, {"a legend: an object with a "_later, what, "'s name for each character"_later});
         legend.takeAny();
         return;
     }
@@ -84,12 +86,12 @@ void readLegend(Checker& checker, JsonValue value, const NameTable& names, const
         const bool isReserved = key == "." || key == " ";
         if (isReserved) {
             checker.addAtKey(member, {"the key ", quoted(key)},
-                             "another character: '.' and the space already have a meaning");
+                             "another character: '.' and the space already have a meaning"_later);
         } else if (isSingle && !isPrintableSign(first)) {
-            checker.addAtKey(member, {"a key that is ", shownSign(first)},
-                             "a single visible character");
+            checker.addAtKey(member, {"a key that is "_later, shownSign(first)},
+                             "a single visible character"_later);
         } else if (!isSingle) {
-            checker.addAtKey(member, {"the key ", quoted(key)}, "a single visible character");
+            checker.addAtKey(member, {"the key ", quoted(key)}, "a single visible character"_later);
         }
         const std::uint16_t id = checker.name(member, names, what).value_or(0);
         // Signs of faulty entries count as known, so that their uses in grids are not reported too.
@@ -118,12 +120,12 @@ void readRow(Checker& checker, JsonValue value, int row, int width, const Legend
             // Once per row, or a sign that the legend lacks would fill the list.
             reported.push_back(sign);
             checker.addInRow(value, row, x, shownSign(sign),
-                             {"a character of the legend: ", legend.characters()});
+                             {"a character of the legend: "_later, legend.characters()});
         }
     }
     if (x != width) {
         checker.addInRow(value, row, std::min(x, width), {"a row of ", Counted{x, "character"}},
-                         {Counted{width, "character"}, ", as in the other rows"});
+                         {Counted{width, "character"}, ", as in the other rows"_later});
     }
 }
 
@@ -131,7 +133,7 @@ std::uint16_t readSign(Checker& checker, JsonValue value, const Legend& legend) 
     if (value.isText()) {
         if (const auto id = legend.find(value.text())) return *id;
     }
-    checker.refuse(value, {"a character of the legend: ", legend.characters()});
+    checker.refuse(value, {"a character of the legend: "_later, legend.characters()});
     return 0;
 }
 

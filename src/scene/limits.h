@@ -38,6 +38,7 @@ inline constexpr std::size_t kMaxPathLength = 1000;    // characters of a file's
 inline constexpr std::size_t kMaxTitleLength = 200;    // characters
 inline constexpr std::size_t kMaxMessageLength = 300;  // characters
 inline constexpr std::size_t kMaxPathPoints = 64;      // of an object that patrols
+inline constexpr std::size_t kMaxPlaces = 4096;        // named places of one map
 inline constexpr std::size_t kMaxLegend = 4096;        // characters of one legend
 inline constexpr int kMaxSowings =
     32;  // kinds of objects sown over one map: each looks at all of its tiles

@@ -1,3 +1,4 @@
+#include "base/later_text.h"
 #include "base/name_index.h"
 #include "base/task_list.h"
 #include "scene/limits.h"
@@ -82,8 +83,8 @@ void SceneParser::Work::readText() {
     if (source.invalidByte()) {
         const bool isUtf16 = text.substr(0, 2) == "\xff\xfe" || text.substr(0, 2) == "\xfe\xff";
         checker.addSyntax({*source.invalidByte(),
-                           isUtf16 ? "a text in UTF-16" : "bytes that are not UTF-8",
-                           "a text file saved as UTF-8"});
+                           isUtf16 ? "a text in UTF-16"_later : "bytes that are not UTF-8"_later,
+                           "a text file saved as UTF-8"_later});
         return;
     }
     json = parseJson(source);
@@ -170,8 +171,8 @@ void SceneParser::Work::findMistakes() {
     const std::vector<Map>& maps = description->world.maps;
     if (reading.lamp &&
         std::none_of(maps.begin(), maps.end(), [](const Map& map) { return map.baked.on; }))
-        checker.warn(*reading.lamp, "a lamp, but no map with \"baked\": it does not shine",
-                     "\"baked\" in its map");
+        checker.warn(*reading.lamp, "a lamp, but no map with \"baked\": it does not shine"_later,
+                     "\"baked\" in its map"_later);
 }
 
 void SceneParser::Work::finish() {

@@ -1,5 +1,6 @@
 // Gives moving blocks and gates their own blueprints once all maps are complete, and checks that
 // they have room.
+#include "base/later_text.h"
 #include "scene/readers.h"
 #include "world/gate.h"
 #include "world/mover.h"
@@ -57,10 +58,10 @@ void checkGateFrames(Reading& reading) {
             textures += static_cast<std::size_t>(texture.frames - 1);
     }
     if (textures <= static_cast<std::size_t>(kMaxTextures)) return;
-    reading.checker.add(
-        *reading.mapList,
-        {Counted{static_cast<std::int64_t>(textures), "texture"}, ", counting the frames of gates"},
-        {"at most ", kMaxTextures});
+    reading.checker.add(*reading.mapList,
+                        {Counted{static_cast<std::int64_t>(textures), "texture"},
+                         ", counting the frames of gates"_later},
+                        {"at most ", kMaxTextures});
 }
 
 // A gate that follows one that stands nowhere waits for ever.
@@ -75,8 +76,8 @@ void warnOfMissingGates(Reading& reading) {
             continue;
         reading.checker.warn(
             followed.name,
-            {"the gate ", quoted(world.blueprints[*id].name), ", which stands in no map"},
-            "a gate that a player can open, or that opens by itself");
+            {"the gate ", quoted(world.blueprints[*id].name), ", which stands in no map"_later},
+            "a gate that a player can open, or that opens by itself"_later);
     }
 }
 

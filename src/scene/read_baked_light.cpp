@@ -1,4 +1,5 @@
 // Baked light: the sun, the ambient light and lamps.
+#include "base/later_text.h"
 #include "scene/limits.h"
 #include "scene/readers.h"
 
@@ -32,7 +33,7 @@ void readSun(Reading& reading, JsonValue value, BakedLight& baked) {
 void readLamps(Reading& reading, JsonValue value, bool hasSize, Map& map) {
     Checker& checker = reading.checker;
     if (!value.isArray()) {
-        checker.refuse(value, "an array of lamps");
+        checker.refuse(value, "an array of lamps"_later);
         return;
     }
     if (value.count() > kMaxLamps) {
@@ -53,8 +54,8 @@ void readLamps(Reading& reading, JsonValue value, bool hasSize, Map& map) {
                            readLampKind(*fields)};
         if (checker.count() == faultsBefore && hasSize &&
             !map.contains(lamp.x.tile(), lamp.y.tile())) {
-            checker.add(element, "a lamp outside the map",
-                        {"x below ", map.width, " and y below ", map.depth});
+            checker.add(element, "a lamp outside the map"_later,
+                        {"x below ", map.width, " and y below "_later, map.depth});
         }
         map.baked.lamps.push_back(lamp);
         reading.things.push_back(
@@ -90,8 +91,8 @@ LampId readLamp(Reading& reading, JsonValue value) {
     const auto place = std::lower_bound(sorted.begin(), sorted.end(), kind, order);
     if (place != sorted.end() && kinds[*place] == kind) return *place;
     if (kinds.size() == kNoLamp) {
-        reading.checker.add(value, {"more than ", std::int64_t{kNoLamp}, " kinds of lamp"},
-                            "fewer; lamps with equal values are of one kind");
+        reading.checker.add(value, {"more than ", std::int64_t{kNoLamp}, " kinds of lamp"_later},
+                            "fewer; lamps with equal values are of one kind"_later);
         return kNoLamp;
     }
     const auto id = static_cast<LampId>(kinds.size());

@@ -1,3 +1,4 @@
+#include "base/later_text.h"
 #include "scene/limits.h"
 #include "scene/readers.h"
 
@@ -101,7 +102,7 @@ void LevelReader::addLevels(JsonValue list, bool mayRepeat) {
         } else if (mayRepeat) {
             addRepeated(entry);
         } else {
-            checker_.add(entry, "levels that are repeated within others", kLevel);
+            checker_.add(entry, "levels that are repeated within others"_later, kLevel);
         }
     }
 }
@@ -142,7 +143,7 @@ void LevelReader::addFilled(Level& level) {
     if (!fields) return;
     level.rows = fields->find("rows");
     if (level.rows && !level.rows->isArray()) {
-        checker_.refuse(*level.rows, "an array of rows");
+        checker_.refuse(*level.rows, "an array of rows"_later);
         level.rows = {};
     }
     const auto filling = fields->require("fill", "a character, or an array of rectangles");
@@ -180,7 +181,7 @@ void LevelReader::measureRows(JsonValue rows, Votes& widths, Votes& depths) {
         if (row.isText()) {
             widths.add(countSigns(row.text()));
         } else {
-            checker_.refuse(row, "a row: a text with one character for each tile");
+            checker_.refuse(row, "a row: a text with one character for each tile"_later);
         }
     }
 }
@@ -188,7 +189,7 @@ void LevelReader::measureRows(JsonValue rows, Votes& widths, Votes& depths) {
 // [width, depth]
 std::optional<GridSize> LevelReader::readSize(JsonValue value) {
     if (!value.isArray() || value.count() != 2) {
-        checker_.refuse(value, "the map's [width, depth]");
+        checker_.refuse(value, "the map's [width, depth]"_later);
         return std::nullopt;
     }
     auto side = value.begin();
@@ -212,7 +213,7 @@ std::optional<GridSize> LevelReader::measure(JsonValue value, FoundValue size) {
     if (width == 0 || depth == 0) {
         if (!size)
             checker_.add(value, "no tiles",
-                         "at least one level with rows of characters, or the map's \"size\"");
+                         "at least one level with rows of characters, or the map's \"size\""_later);
         return given;
     }
     if (width > static_cast<std::size_t>(kMaxMapWidth) ||
@@ -224,7 +225,7 @@ std::optional<GridSize> LevelReader::measure(JsonValue value, FoundValue size) {
     const GridSize found = {static_cast<int>(width), static_cast<int>(depth)};
     if (given && (given->width != found.width || given->depth != found.depth))
         checker_.add(*size, {"a map of ", given->width, " x ", given->depth, " tiles"},
-                     {width, " x ", depth, ", as in the rows"});
+                     {width, " x ", depth, ", as in the rows"_later});
     return found;
 }
 
@@ -239,8 +240,8 @@ std::int64_t LevelReader::filledCells(GridSize size) {
             sum += filled.width > 0 ? std::int64_t{filled.width} * filled.depth : tiles;
             if (&each == &level &&
                 (filled.x + filled.width > size.width || filled.y + filled.depth > size.depth))
-                checker_.add(filled.value, "a rectangle beyond the edge of the map",
-                             {"x below ", size.width, " and y below ", size.depth});
+                checker_.add(filled.value, "a rectangle beyond the edge of the map"_later,
+                             {"x below ", size.width, " and y below "_later, size.depth});
         }
     }
     return std::max(sum, tiles);
@@ -250,8 +251,9 @@ bool LevelReader::hasRoom(JsonValue value, std::int64_t cells, const char* noun,
                           std::int64_t most) {
     sum += cells;
     if (sum <= most) return true;
-    checker_.add(value, {"a map of ", Counted{cells, noun}, ", ", sum, " with the maps before it"},
-                 {"at most ", most, " in all maps together"});
+    checker_.add(value,
+                 {"a map of ", Counted{cells, noun}, ", ", sum, " with the maps before it"_later},
+                 {"at most ", most, " in all maps together"_later});
     sum -= cells;
     return false;
 }
@@ -273,7 +275,7 @@ void LevelReader::setRows(const Level& level, int number, Map& map) {
     const JsonValue rows = *level.rows;
     if (rows.count() != static_cast<std::size_t>(map.depth)) {
         checker_.add(rows, {"a level of ", Counted{static_cast<std::int64_t>(rows.count()), "row"}},
-                     {Counted{map.depth, "row"}, ", as in the other levels"});
+                     {Counted{map.depth, "row"}, ", as in the other levels"_later});
     }
     const bool isFilled = !level.filled.empty();
     std::vector<std::uint16_t> ids;
@@ -351,14 +353,15 @@ void readLevels(Reading& reading, JsonValue value, FoundValue size, const Legend
                 Map& map) {
     Checker& checker = reading.checker;
     if (!value.isArray()) {
-        checker.refuse(value, "an array of levels, each of them an array of rows");
+        checker.refuse(value, "an array of levels, each of them an array of rows"_later);
         return;
     }
     bool isFlat = value.count() > 0;
     for (const JsonValue level : value) isFlat = isFlat && level.isText();
     if (isFlat) {
-        checker.add(value, "an array of rows",
-                    "an array of levels, each of them an array of rows: [[\"###\", \"#.#\"]]");
+        checker.add(
+            value, "an array of rows"_later,
+            "an array of levels, each of them an array of rows: [[\"###\", \"#.#\"]]"_later);
         return;
     }
     LevelReader(reading, legend).read(value, size, map);

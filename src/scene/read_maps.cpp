@@ -1,3 +1,4 @@
+#include "base/later_text.h"
 #include "scene/limits.h"
 #include "scene/readers.h"
 
@@ -14,8 +15,8 @@ void readName(Reading& reading, const Fields& fields, std::uint16_t index, Map& 
     if (!name) return;
     map.name = *name;
     if (reading.maps.find(*name)) {
-        reading.checker.add(*member, {"the name ", quoted(*name), " a second time"},
-                            "a name that no other map has");
+        reading.checker.add(*member, {"the name ", quoted(*name), " a second time"_later},
+                            "a name that no other map has"_later);
     } else {
         reading.maps.add(member->text(), index);
     }
@@ -34,9 +35,9 @@ void checkCeiling(Reading& reading, JsonValue value, const Map& map) {
                 map.ceiling.tiles[map.tileIndex(x, y)] == kNoTexture)
                 continue;
             reading.checker.add(value,
-                                {"a ceiling through the block ", quoted(block.name), " at x ", x,
-                                 ", y ", y, ", level ", level, ", which has slopes"},
-                                "a ceiling above or below it, or none in its tile");
+                                {"a ceiling through the block "_later, quoted(block.name), " at x ",
+                                 x, ", y ", y, ", level ", level, ", which has slopes"_later},
+                                "a ceiling above or below it, or none in its tile"_later);
             return;
         }
     }
@@ -45,11 +46,12 @@ void checkCeiling(Reading& reading, JsonValue value, const Map& map) {
 Map readMap(Reading& reading, JsonValue value, std::size_t index) {
     Checker& checker = reading.checker;
     Map map;
-    const auto fields =
-        checker.fields(value,
-                       {"name", "legend", "size", "levels", "floor", "ceiling", "objects", "sow",
-                        "messages", "portals", "sky", "light", "baked", "fog", "haze", "far"},
-                       "a map: an object with \"name\", \"levels\" and \"floor\"");
+    const auto fields = checker.fields(
+        value,
+        {"name", "legend", "size", "levels", "places", "floor", "ceiling", "objects", "sow",
+         "messages", "portals", "sky", "light", "baked", "fog", "haze", "far"},
+        "a map: an object with \"name\", \"levels\" and \"floor\"");
+    reading.places.resize(index + 1);
     if (!fields) return map;
     readName(reading, *fields, static_cast<std::uint16_t>(index), map);
 
@@ -62,6 +64,7 @@ Map readMap(Reading& reading, JsonValue value, std::size_t index) {
     if (const auto levels = fields->require("levels", "an array of levels"))
         readLevels(reading, *levels, fields->find("size"), legend, map);
     const bool hasSize = map.width > 0;
+    if (const auto places = fields->find("places")) readPlaces(reading, *places, hasSize, map);
 
     if (const auto floor = fields->require("floor", "the floor's texture"))
         readFloor(reading, *floor, hasSize, map);
@@ -95,7 +98,7 @@ void readMapAt(Reading& reading, std::size_t index) {
 void readMaps(Reading& reading, JsonValue value) {
     Checker& checker = reading.checker;
     if (!value.isArray() || value.count() == 0) {
-        checker.refuse(value, "an array of at least one map");
+        checker.refuse(value, "an array of at least one map"_later);
         reading.maps.takeAny();
         return;
     }

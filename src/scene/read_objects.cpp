@@ -1,5 +1,6 @@
 // Sprites and the objects that show them.
 #include "base/angle.h"
+#include "base/later_text.h"
 #include "base/name_index.h"
 #include "base/number_text.h"
 #include "scene/limits.h"
@@ -17,7 +18,7 @@ void addMotion(Reading& reading, JsonValue value, const ReadMotion& read, int ob
     ObjectMotion motion = read.motion;
     std::vector<ObjectMotion>& motions = reading.description.world.movingObjects.motions;
     if (motions.size() == static_cast<std::size_t>(kMaxMovingObjects)) {
-        reading.checker.add(value, words("more than ", kMaxMovingObjects, " moving objects"),
+        reading.checker.add(value, words("more than ", kMaxMovingObjects, " moving objects"_later),
                             {"at most ", kMaxMovingObjects, " in a scene"});
         return;
     }
@@ -66,12 +67,13 @@ std::optional<Object> readObject(Reading& reading, JsonValue value, bool hasSize
     if (const auto lamp = fields->find("lamp")) {
         object.lamp = readLamp(reading, *lamp);
         if (object.floats || fields->find("motion"))
-            checker.add(*lamp, "a lamp on an object that moves",
-                        "\"lamp\" without \"float\" and \"motion\": lamps stand still");
+            checker.add(*lamp, "a lamp on an object that moves"_later,
+                        "\"lamp\" without \"float\" and \"motion\": lamps stand still"_later);
         // It hangs at four fifths of the object's height
         place(*lamp, "a lamp", {object.height.raw / 5 * 4});
         if (fields->find("find"))
-            checker.add(*lamp, "a lamp on a find", "\"lamp\" without \"find\": finds are taken");
+            checker.add(*lamp, "a lamp on a find"_later,
+                        "\"lamp\" without \"find\": finds are taken"_later);
     }
     if (const auto heading = fields->find("heading")) {
         const SineCosine facing =
@@ -79,15 +81,15 @@ std::optional<Object> readObject(Reading& reading, JsonValue value, bool hasSize
         object.facingX = toCoordinate(facing.cosine);
         object.facingY = toCoordinate(facing.sine);
         if (fields->find("motion"))
-            checker.addAtKey(*heading, "a heading beside a motion",
-                             "\"heading\" within \"motion\"");
+            checker.addAtKey(*heading, "a heading beside a motion"_later,
+                             "\"heading\" within \"motion\""_later);
     }
     std::optional<ReadMotion> moves;
     if (const auto motion = fields->find("motion")) moves = readObjectMotion(reading, *motion);
     if (checker.count() == faultsBefore && hasSize &&
         !map.contains(object.x.tile(), object.y.tile())) {
-        checker.add(value, "an object outside the map",
-                    {"x below ", map.width, " and y below ", map.depth});
+        checker.add(value, "an object outside the map"_later,
+                    {"x below ", map.width, " and y below "_later, map.depth});
     }
     const auto index = static_cast<int>(map.objects.size());
     if (const auto find = fields->find("find")) readFind(reading, *find, index);
@@ -102,7 +104,7 @@ std::optional<Object> readObject(Reading& reading, JsonValue value, bool hasSize
 void readSprites(Reading& reading, JsonValue value) {
     Checker& checker = reading.checker;
     if (!value.isObject()) {
-        checker.refuse(value, "the sprites: an object with a PNG file for each name");
+        checker.refuse(value, "the sprites: an object with a PNG file for each name"_later);
         reading.sprites.takeAny();
         return;
     }
@@ -116,10 +118,7 @@ void readSprites(Reading& reading, JsonValue value) {
     std::vector<std::string> sheets;  // the names in the index; reserved, so that none moves
     sheets.reserve(value.count());
     for (const JsonValue member : value) {
-        if (member.key().empty() || countCharacters(member.key()) > kMaxNameLength) {
-            checker.addAtKey(member, {"the name ", quoted(member.key())},
-                             {"a name of 1 to ", kMaxNameLength, " characters"});
-        }
+        checker.checkName(member);
         // Names of the same picture are one sprite
         TextureReference reference = readPicture(checker, member, false);
         const auto next = static_cast<std::uint32_t>(reading.description.sprites.size());
@@ -139,7 +138,7 @@ void readSprites(Reading& reading, JsonValue value) {
 void readObjects(Reading& reading, JsonValue value, bool hasSize, Map& map) {
     Checker& checker = reading.checker;
     if (!value.isArray()) {
-        checker.refuse(value, "an array of objects");
+        checker.refuse(value, "an array of objects"_later);
         return;
     }
     std::size_t before = 0;
@@ -147,7 +146,7 @@ void readObjects(Reading& reading, JsonValue value, bool hasSize, Map& map) {
     if (before + value.count() > static_cast<std::size_t>(kMaxObjects)) {
         checker.add(value,
                     {static_cast<std::int64_t>(before + value.count()),
-                     " objects, counting those of earlier maps"},
+                     " objects, counting those of earlier maps"_later},
                     {"at most ", kMaxObjects, " in a scene"});
         return;
     }

@@ -1,4 +1,5 @@
 // Finds, messages and the game of a scene.
+#include "base/later_text.h"
 #include "scene/limits.h"
 #include "scene/readers.h"
 
@@ -32,11 +33,12 @@ bool hasRoomForNotice(Reading& reading, JsonValue value) {
     return false;
 }
 
-// { "x", "y", "width", "depth", "bottom", "top" }: tiles of a map.
-Box readArea(const Fields& fields) {
-    for (const char* key : {"x", "y"}) fields.require(key, kTile.words);
-    const int x = fields.wholeNumber("x", kTile, 0);
-    const int y = fields.wholeNumber("y", kTile, 0);
+// { "place", "x", "y", "width", "depth", "bottom", "top" }: tiles of a map.
+Box readArea(Reading& reading, JsonValue value, const Fields& fields,
+             std::optional<std::uint16_t> map) {
+    const NamedPlace place = readPosition(reading, value, fields, true, map);
+    const int x = static_cast<int>(place.x);
+    const int y = static_cast<int>(place.y);
     const int width = fields.wholeNumber("width", kTiles, 1);
     const int depth = fields.wholeNumber("depth", kTiles, 1);
     return {tileEdge(x),
@@ -50,11 +52,12 @@ Box readArea(const Fields& fields) {
 void checkArea(Reading& reading, JsonValue value, int map, const Box& area, const char* what) {
     const Map& grid = reading.description.world.maps[static_cast<std::size_t>(map)];
     if (area.east > tileEdge(grid.width) || area.south > tileEdge(grid.depth)) {
-        reading.checker.add(value, {what, " beyond the edge of the map"},
-                            {"tiles with x below ", grid.width, " and y below ", grid.depth});
+        reading.checker.add(
+            value, {what, " beyond the edge of the map"_later},
+            {"tiles with x below "_later, grid.width, " and y below "_later, grid.depth});
     } else if (!reading.rooms.hasRoomIn(reading.description.world, map, area)) {
-        reading.checker.warn(value, {what, " where the player has no room"},
-                             "a tile that the player can enter");
+        reading.checker.warn(value, {what, " where the player has no room"_later},
+                             "a tile that the player can enter"_later);
     }
 }
 
@@ -82,7 +85,7 @@ Needs readNeeds(Reading& reading, JsonValue value) {
     } else if (value.isArray() && value.count() > 0 && value.count() <= kMaxFinds) {
         for (const JsonValue name : value) add(name);
     } else {
-        checker.refuse(value, "a number of finds, the name of a find, or an array of names");
+        checker.refuse(value, "a number of finds, the name of a find, or an array of names"_later);
     }
     return needs;
 }
@@ -93,7 +96,7 @@ void checkNeeds(Reading& reading, JsonValue value, const Needs& needs) {
     const auto finds = static_cast<int>(quest.finds.size());
     if (needs.any > finds) {
         reading.checker.warn(value, {"a need of ", Counted{needs.any, "find"}},
-                             {"at most ", finds, ", as many as there are"});
+                             {"at most ", finds, ", as many as there are"_later});
     }
     std::vector<int> thereOf(quest.kinds.size());
     for (const Find& find : quest.finds) ++thereOf[find.kind];
@@ -103,7 +106,7 @@ void checkNeeds(Reading& reading, JsonValue value, const Needs& needs) {
         reading.checker.warn(
             value,
             {"a need of ", Counted{wanted, "find"}, " named ", quoted(quest.kinds[kind].name)},
-            {"at most ", there, ", as many as there are"});
+            {"at most ", there, ", as many as there are"_later});
         return;
     }
 }
@@ -125,21 +128,21 @@ void readGame(Reading& reading, JsonValue value) {
     }
     if (const auto message = fields->find("message")) goal.message = readMessage(checker, *message);
     if (const auto at = fields->find("at")) {
-        const auto place = checker.fields(*at, {"map", "x", "y", "width", "depth", "bottom", "top"},
-                                          "tiles of a map: an object with \"x\" and \"y\"");
+        const auto place =
+            checker.fields(*at, {"map", "place", "x", "y", "width", "depth", "bottom", "top"},
+                           "tiles of a map: an object with \"x\" and \"y\"");
         if (!place) return;
-        goal.map = reading.description.world.start.map;
-        if (const auto map = place->find("map"))
-            goal.map = checker.name(*map, reading.maps, "map").value_or(0);
-        goal.area = readArea(*place);
+        const auto map = place->mapOr(reading.maps, reading.description.world.start.map);
+        goal.map = map.value_or(0);
+        goal.area = readArea(reading, *at, *place, map);
         if (checker.count() == 0) checkArea(reading, *at, *goal.map, goal.area, "a goal");
         reading.addAim(Aim::What::goal, *at, 0);
     }
     if (!goal.needs.none() || goal.map) {
         quest.goal = goal;
     } else {
-        checker.warn(value, "a game that never ends: it has no finds and no \"at\"",
-                     "objects with \"find\", or \"at\": where the player is to come");
+        checker.warn(value, "a game that never ends: it has no finds and no \"at\""_later,
+                     "objects with \"find\", or \"at\": where the player is to come"_later);
     }
 }
 
@@ -218,20 +221,20 @@ void readObjectMessage(Reading& reading, JsonValue value, int object) {
 void readMessages(Reading& reading, JsonValue value) {
     Checker& checker = reading.checker;
     if (!value.isArray()) {
-        checker.refuse(value, "an array of messages");
+        checker.refuse(value, "an array of messages"_later);
         return;
     }
     for (const JsonValue element : value) {
         if (!hasRoomForNotice(reading, element)) return;
         const auto fields = checker.fields(
-            element, {"text", "x", "y", "width", "depth", "bottom", "top", "near", "once"},
+            element, {"text", "place", "x", "y", "width", "depth", "bottom", "top", "near", "once"},
             "a message: an object with \"text\", \"x\" and \"y\"");
         if (!fields) continue;
         Notice notice;
         notice.map = static_cast<int>(reading.description.world.maps.size());
         if (const auto text = fields->require("text", "the message"))
             notice.text = readMessage(checker, *text);
-        notice.area = readArea(*fields);
+        notice.area = readArea(reading, element, *fields, static_cast<std::uint16_t>(notice.map));
         notice.near = toCoordinate(fields->number("near", kNoticeNear, 0.0));
         notice.once = fields->flag("once", false);
         std::vector<Notice>& notices = reading.description.world.quest.notices;

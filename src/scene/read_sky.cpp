@@ -1,4 +1,5 @@
 // The sky of a map: its colours or panorama, and stars, sun, moon and clouds over them.
+#include "base/later_text.h"
 #include "scene/limits.h"
 #include "scene/readers.h"
 
@@ -55,9 +56,9 @@ std::shared_ptr<const CloudCover> shapeOf(Reading& reading, JsonValue value, std
         if (known.seed == seed && known.size == size) return known.shape;
     }
     if (reading.clouds.size() == kMaxCloudShapes) {
-        reading.checker.add(
-            value, {"clouds of more than ", kMaxCloudShapes, " shapes"},
-            {"at most ", kMaxCloudShapes, " in a scene; equal \"seed\" and \"size\" are one"});
+        reading.checker.add(value, {"clouds of more than "_later, kMaxCloudShapes, " shapes"},
+                            {"at most ", kMaxCloudShapes,
+                             " in a scene; equal \"seed\" and \"size\" are one"_later});
         return nullptr;
     }
     reading.clouds.push_back({seed, size, makeCloudCover(seed, size)});

@@ -1,5 +1,6 @@
 // What surrounds the blocks of a map: floor, ceiling, light and fog. For the sky see read_sky.cpp,
 // for baked light read_baked_light.cpp.
+#include "base/later_text.h"
 #include "scene/limits.h"
 #include "scene/readers.h"
 
@@ -26,20 +27,20 @@ void readTiles(Reading& reading, const Fields& fields, TextureId own, TextureId 
     const auto rows = fields.find("tiles");
     if (!rows) return;
     if (!rows->isArray()) {
-        checker.refuse(*rows, "an array of rows, as in a level");
+        checker.refuse(*rows, "an array of rows, as in a level"_later);
         return;
     }
     const bool fits = rows->count() == static_cast<std::size_t>(map.depth);
     if (hasSize && !fits) {
         checker.add(*rows, Counted{static_cast<std::int64_t>(rows->count()), "row"},
-                    {Counted{map.depth, "row"}, ", as in the map's levels"});
+                    {Counted{map.depth, "row"}, ", as in the map's levels"_later});
     }
     std::vector<std::uint16_t> ids;
     int y = -1;
     for (const JsonValue row : *rows) {
         ++y;
         if (!row.isText()) {
-            checker.refuse(row, "a row: a text with one character for each tile");
+            checker.refuse(row, "a row: a text with one character for each tile"_later);
             continue;
         }
         if (!hasSize) continue;
@@ -58,8 +59,8 @@ ReadMirror readMirror(Checker& checker, const Fields& fields) {
     };
     const auto ripples = fields.find("ripples");
     if (ripples && !fields.find("mirror"))
-        checker.addAtKey(*ripples, "ripples without a mirror",
-                         "a \"mirror\" beside them: ripples move what it reflects");
+        checker.addAtKey(*ripples, "ripples without a mirror"_later,
+                         "a \"mirror\" beside them: ripples move what it reflects"_later);
     return {share("mirror"), share("ripples")};
 }
 
@@ -94,8 +95,8 @@ void readFloor(Reading& reading, JsonValue value, bool hasSize, Map& map) {
     const auto& tiles = map.floor.tiles;
     if (map.floor.water != kNoTexture && !tiles.empty() &&
         std::find(tiles.begin(), tiles.end(), map.floor.water) == tiles.end())
-        reading.checker.warn(*fields->find("water"), "a water that no tile of the floor has",
-                             "its texture on some tiles of the floor");
+        reading.checker.warn(*fields->find("water"), "a water that no tile of the floor has"_later,
+                             "its texture on some tiles of the floor"_later);
 }
 
 void readCeiling(Reading& reading, JsonValue value, bool hasSize, Map& map) {
@@ -132,8 +133,9 @@ void readLight(Reading& reading, JsonValue value, Light& light) {
     if (reading.checker.count() == faultsBefore && light.darkest > light.brightest) {
         const auto given =
             fields->find("darkest") ? fields->find("darkest") : fields->find("brightest");
-        reading.checker.add(*given, "a \"darkest\" that is above \"brightest\"",
-                            "\"darkest\" at most \"brightest\"; their defaults are 0.1 and 1");
+        reading.checker.add(
+            *given, "a \"darkest\" that is above \"brightest\""_later,
+            "\"darkest\" at most \"brightest\"; their defaults are 0.1 and 1"_later);
     }
 }
 
@@ -147,8 +149,8 @@ void readFog(Reading& reading, JsonValue value, Fog& fog) {
     const auto end = fields->require("end", kFogEnd.words);
     fog.end = fields->number("end", kFogEnd, 1.0);
     if (reading.checker.count() == faultsBefore && fog.start >= fog.end) {
-        reading.checker.add(*end, "an \"end\" of the fog that is not beyond its \"start\"",
-                            "\"end\" greater than \"start\"");
+        reading.checker.add(*end, "an \"end\" of the fog that is not beyond its \"start\""_later,
+                            "\"end\" greater than \"start\""_later);
     }
 }
 

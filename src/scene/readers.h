@@ -98,6 +98,20 @@ struct ReadClouds {
 
 struct Placing;
 
+// A place of a map that has a name, or one that is given by x and y.
+struct NamedPlace {
+    JsonValue value;
+    double x = 0.0;
+    double y = 0.0;
+    std::optional<double> z = {};
+    std::optional<double> heading = {};
+    bool isUsed = false;
+};
+struct Places {
+    NameTable names;  // index into `places`
+    std::vector<NamedPlace> places;
+};
+
 // What the readers share.
 struct Reading {
     Checker& checker;
@@ -111,6 +125,7 @@ struct Reading {
     std::vector<bool> isMapSound;
     std::int64_t cells = 0;                           // of all maps so far
     std::int64_t filledCells = 0;                     // those that rows and fills set
+    std::vector<Places> places = {};                  // of each map
     std::vector<std::vector<JsonValue>> levels = {};  // of each map, those that repeat repeated
     std::vector<PlacedMotion> placedMotions = {};
     std::vector<SowingOrder> sowings = {};
@@ -228,6 +243,16 @@ struct ReadMirror {
     std::uint8_t ripples = 0;
 };
 ReadMirror readMirror(Checker& checker, const Fields& fields);
+
+// "places" of the last map: { NAME: { x, y, z, heading } }
+void readPlaces(Reading& reading, JsonValue value, bool hasSize, const Map& map);
+
+// The place with this name. A map that is not known has every place, somewhere.
+NamedPlace findPlace(Reading& reading, JsonValue value, std::optional<std::uint16_t> map);
+
+// "x" and "y" of a tile or a point, or the "place" of the map that has them.
+NamedPlace readPosition(Reading& reading, JsonValue value, const Fields& fields, bool isTile,
+                        std::optional<std::uint16_t> map);
 
 // The surroundings of a map whose size is known; a grid of tiles is only looked at where `hasSize`.
 void readFloor(Reading& reading, JsonValue value, bool hasSize, Map& map);

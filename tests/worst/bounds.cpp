@@ -489,7 +489,8 @@ std::string sownOnFilled() {
     return scene.text();
 }
 
-// Levels that are filled by rectangles, one over another, and repeated; a quarter of the blocks move.
+// Levels that are filled by rectangles, one over another, and repeated; a quarter of the blocks
+// move.
 std::string filledLevels() {
     Scene scene;
     scene.motions = R"("m":{"moves":"both","to":0.2,"period":1})";

@@ -294,6 +294,9 @@ private:
         const Json* const maps = member(scene_, "maps");
         if (maps == nullptr || !maps->IsArray()) return;
         for (const Json& map : maps->GetArray()) {
+            if (const Json* const places = member(map, "places"); places && places->IsObject())
+                for (const auto& each : places->GetObject())
+                    names_["named place"].push_back(each.name.GetString());
             const std::string_view name = textOf(member(map, "name"));
             names_["map"].emplace_back(name);
         }
@@ -693,12 +696,30 @@ private:
         return array;
     }
 
+    // The keys that one of the ways to write an object needs; by chance, if there are several.
+    const Json* alternative(const Json& schema) {
+        const Json* const ways = member(schema, "anyOf");
+        if (ways == nullptr) return nullptr;
+        return member((*ways)[static_cast<unsigned>(random_.below(static_cast<int>(ways->Size())))],
+                      "required");
+    }
+    static bool isAlternative(const Json& schema, const Json& name) {
+        const Json* const ways = member(schema, "anyOf");
+        if (ways == nullptr) return false;
+        return std::any_of(ways->Begin(), ways->End(), [&](const Json& way) {
+            return isListed(member(way, "required"), name);
+        });
+    }
+
     Json madeObject(const Json& schema, const std::string& about) {
         Json object(rapidjson::kObjectType);
         if (const Json* const known = member(schema, "properties")) {
             const Json* const required = member(schema, "required");
+            const Json* const chosen = alternative(schema);
             const int rarity = 2 + random_.below(6);
             for (const auto& each : known->GetObject()) {
+                if (isListed(chosen, each.name)) set(object, each.name, made(each.value, about));
+                if (isAlternative(schema, each.name)) continue;
                 const bool isNew = metOf(each.value) == 0 && random_.oneIn(2);
                 if (isNew || isListed(required, each.name) || random_.oneIn(rarity))
                     set(object, each.name, made(each.value, about));
