@@ -87,10 +87,30 @@ void Checker::addAtKey(JsonValue member, const Words& found, const Words& expect
     addAt(faults_, member.keyOffset(), &member, -1, -1, found, expected);
 }
 
+void Checker::add(JsonValue at, const char* found, const char* expected) {
+    add(at, Words(found), Words(expected));
+}
+
+void Checker::add(JsonValue at, const Words& found, const char* expected) {
+    add(at, found, Words(expected));
+}
+
+void Checker::addAtKey(JsonValue member, const char* found, const char* expected) {
+    addAtKey(member, Words(found), Words(expected));
+}
+
+void Checker::refuse(JsonValue value, const char* expected) {
+    refuse(value, Words(expected));
+}
+
+void Checker::warn(JsonValue at, const char* found, const char* expected) {
+    warn(at, Words(found), Words(expected));
+}
+
 void Checker::addSecondKey(JsonValue again, JsonValue first) {
     if (onlyCounts()) return;
     const TextPosition place = source_.place(first.keyOffset());
-    addAtKey(again, {"the key ", quoted(again.key()), " a second time"_later},
+    addAtKey(again, {"the key ", quoted(again.key()), " a second time"},
              {"each key once; the first is at line "_later, place.line, ", column ", place.column});
 }
 
@@ -170,12 +190,13 @@ std::optional<Fields> Checker::fields(JsonValue value, std::span<const std::stri
     for (const JsonValue member : value) {
         if (member.key() == "comment") {
             if (!member.isText()) refuse(member, "a text");
-        } else if (std::find(known.begin(), known.end(), member.key()) != known.end()) {
+        } else if (member.key() == "data" ||
+                   std::find(known.begin(), known.end(), member.key()) != known.end()) {
             continue;
         } else if (!onlyCounts()) {
             const std::vector<std::string_view> keys(known.begin(), known.end());
-            addAtKey(member, {"the unknown key "_later, quoted(member.key())},
-                     {"one of the keys "_later, listed(keys), suggestion(member.key(), keys)});
+            addAtKey(member, {"the unknown key ", quoted(member.key())},
+                     {"one of the keys ", listed(keys), suggestion(member.key(), keys)});
             const std::string_view meant = nearestName(member.key(), keys);
             if (!meant.empty()) fields.addMisspelt(meant, member);
         }
@@ -236,7 +257,7 @@ std::optional<std::uint16_t> Checker::name(JsonValue value, const NameTable& nam
 void Checker::checkName(JsonValue member) {
     if (member.key().empty() || countCharacters(member.key()) > kMaxNameLength)
         addAtKey(member, {"the name ", quoted(member.key())},
-                 {"a name of 1 to "_later, kMaxNameLength, " characters"});
+                 {"a name of 1 to ", kMaxNameLength, " characters"});
 }
 
 std::optional<Colour> Checker::colour(JsonValue value) {

@@ -50,15 +50,21 @@ public:
     // second time.
     void add(JsonValue at, const Words& found, const Words& expected);
     void addAtKey(JsonValue member, const Words& found, const Words& expected);
+    // The same with plain texts, which take less code at each call.
+    void add(JsonValue at, const char* found, const char* expected);
+    void add(JsonValue at, const Words& found, const char* expected);
+    void addAtKey(JsonValue member, const char* found, const char* expected);
     void addSecondKey(JsonValue again, JsonValue first);
     // The same; `found` is the value itself, as shown() puts it.
     void refuse(JsonValue value, const Words& expected);
+    void refuse(JsonValue value, const char* expected);
     // In a row of a grid: `row` and `character` count from 0 in the north and west.
     void addInRow(JsonValue text, int row, int character, const Words& found,
                   const Words& expected);
     void addSyntax(const SyntaxFault& fault);
     // For what loads, but is probably a mistake.
     void warn(JsonValue at, const Words& found, const Words& expected);
+    void warn(JsonValue at, const char* found, const char* expected);
     // One that is given to nobody yet.
     Fault faultAt(JsonValue at, const Words& found = "", const Words& expected = "") const;
 
@@ -70,8 +76,8 @@ public:
     // elements`.
     std::string shown(JsonValue value) const;
 
-    // The members of an object; `known` are its keys besides "comment". Reports unknown keys.
-    // Nothing if the value is no object, which is reported as not `expected`.
+    // The members of an object; `known` are its keys besides "comment" and "data". Reports unknown
+    // keys. Nothing if the value is no object, which is reported as not `expected`.
     std::optional<Fields> fields(JsonValue value, std::span<const std::string_view> known,
                                  const char* expected);
     std::optional<Fields> fields(JsonValue value, std::initializer_list<std::string_view> known,

@@ -88,7 +88,7 @@ void readLegend(Checker& checker, JsonValue value, const NameTable& names, const
             checker.addAtKey(member, {"the key ", quoted(key)},
                              "another character: '.' and the space already have a meaning"_later);
         } else if (isSingle && !isPrintableSign(first)) {
-            checker.addAtKey(member, {"a key that is "_later, shownSign(first)},
+            checker.addAtKey(member, {"a key that is ", shownSign(first)},
                              "a single visible character"_later);
         } else if (!isSingle) {
             checker.addAtKey(member, {"the key ", quoted(key)}, "a single visible character"_later);

@@ -83,7 +83,7 @@ void SceneParser::Work::readText() {
     if (source.invalidByte()) {
         const bool isUtf16 = text.substr(0, 2) == "\xff\xfe" || text.substr(0, 2) == "\xfe\xff";
         checker.addSyntax({*source.invalidByte(),
-                           isUtf16 ? "a text in UTF-16"_later : "bytes that are not UTF-8"_later,
+                           isUtf16 ? "a text in UTF-16" : "bytes that are not UTF-8"_later,
                            "a text file saved as UTF-8"_later});
         return;
     }

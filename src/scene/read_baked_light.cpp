@@ -33,7 +33,7 @@ void readSun(Reading& reading, JsonValue value, BakedLight& baked) {
 void readLamps(Reading& reading, JsonValue value, bool hasSize, Map& map) {
     Checker& checker = reading.checker;
     if (!value.isArray()) {
-        checker.refuse(value, "an array of lamps"_later);
+        checker.refuse(value, "an array of lamps");
         return;
     }
     if (value.count() > kMaxLamps) {
@@ -55,7 +55,7 @@ void readLamps(Reading& reading, JsonValue value, bool hasSize, Map& map) {
         if (checker.count() == faultsBefore && hasSize &&
             !map.contains(lamp.x.tile(), lamp.y.tile())) {
             checker.add(element, "a lamp outside the map"_later,
-                        {"x below ", map.width, " and y below "_later, map.depth});
+                        {"x below ", map.width, " and y below ", map.depth});
         }
         map.baked.lamps.push_back(lamp);
         reading.things.push_back(
@@ -91,7 +91,7 @@ LampId readLamp(Reading& reading, JsonValue value) {
     const auto place = std::lower_bound(sorted.begin(), sorted.end(), kind, order);
     if (place != sorted.end() && kinds[*place] == kind) return *place;
     if (kinds.size() == kNoLamp) {
-        reading.checker.add(value, {"more than ", std::int64_t{kNoLamp}, " kinds of lamp"_later},
+        reading.checker.add(value, {"more than ", std::int64_t{kNoLamp}, " kinds of lamp"},
                             "fewer; lamps with equal values are of one kind"_later);
         return kNoLamp;
     }

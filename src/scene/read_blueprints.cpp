@@ -98,7 +98,7 @@ void readFaces(Reading& reading, JsonValue value, CellBlueprint& blueprint) {
             missing += (missing.empty() ? "" : ", ") + std::string(kFaceNames[i]);
     }
     if (!missing.empty() && !blueprint.isWater) {
-        reading.checker.add(value, {"no texture for "_later, missing},
+        reading.checker.add(value, {"no texture for ", missing},
                             "a texture for each of the six faces, for example with \"all\""_later);
     }
 }
@@ -202,14 +202,13 @@ void readShape(Reading& reading, JsonValue value, const Fields& fields, CellBlue
 void checkSlopes(Reading& reading, const Fields& fields, const CellBlueprint& blueprint) {
     if (!blueprint.slopes.any()) return;
     if (const auto water = fields.find("water"); water && blueprint.isWater)
-        reading.checker.add(*water, "water with slopes"_later,
-                            "\"rise\" or \"water\", not both"_later);
+        reading.checker.add(*water, "water with slopes", "\"rise\" or \"water\", not both"_later);
     if (const auto diagonal = fields.find("diagonal"))
         reading.checker.add(*diagonal, "a half of a tile with slopes"_later,
                             "\"rise\" or \"diagonal\", not both"_later);
     const auto faces = fields.find("faces");
     if (faces && !blueprint.slopes.top.isLevel() && blueprint.face(Face::top).mirror > 0)
-        reading.checker.add(*faces, "a mirror on a slope"_later,
+        reading.checker.add(*faces, "a mirror on a slope",
                             "a level \"top\", or no \"mirror\""_later);
 }
 

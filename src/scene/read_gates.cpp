@@ -41,7 +41,7 @@ void readLock(Reading& reading, const Fields& fields, GateKind& kind) {
     const auto needs = fields.find("needs");
     if (needs) {
         reading.needs.push_back(
-            {*needs, static_cast<int>(reading.description.world.gateKinds.size())});
+            {*needs, PlacedNeeds::Of::gate, reading.description.world.gateKinds.size()});
         if (kind.startsOpen)
             checker.add(*needs, "a gate that starts open and needs finds"_later,
                         "\"needs\" of a gate that starts closed"_later);
@@ -106,7 +106,7 @@ void findFollowedGates(Reading& reading) {
         const int gate = world.blueprints[*id].gate;
         if (gate < 0) {
             reading.checker.add(followed.name,
-                                {"the blueprint "_later, quoted(world.blueprints[*id].name),
+                                {"the blueprint ", quoted(world.blueprints[*id].name),
                                  ", which has no \"gate\""_later},
                                 "the name of a gate's blueprint"_later);
         } else if (gate == followed.kind) {
@@ -160,8 +160,7 @@ void checkMotion(Reading& reading, JsonValue value, const CellBlueprint& bluepri
             fastestSpeed(shape, (motion.to - motion.from).value(), 2.0 * steps / kStepsPerSecond);
         if (fastest > kFastestMotion)
             checker.add(
-                value,
-                {"a gate that reaches "_later, roundedText(fastest, 4), " units per second"_later},
+                value, {"a gate that reaches "_later, roundedText(fastest, 4), " units per second"},
                 "at most 4 units per second; more \"seconds\" make it slower"_later);
     }
     if (blueprint.slopes.any() && motion.edges != MovingEdges::both)

@@ -143,7 +143,7 @@ void LevelReader::addFilled(Level& level) {
     if (!fields) return;
     level.rows = fields->find("rows");
     if (level.rows && !level.rows->isArray()) {
-        checker_.refuse(*level.rows, "an array of rows"_later);
+        checker_.refuse(*level.rows, "an array of rows");
         level.rows = {};
     }
     const auto filling = fields->require("fill", "a character, or an array of rectangles");
@@ -225,7 +225,7 @@ std::optional<GridSize> LevelReader::measure(JsonValue value, FoundValue size) {
     const GridSize found = {static_cast<int>(width), static_cast<int>(depth)};
     if (given && (given->width != found.width || given->depth != found.depth))
         checker_.add(*size, {"a map of ", given->width, " x ", given->depth, " tiles"},
-                     {width, " x ", depth, ", as in the rows"_later});
+                     {width, " x ", depth, ", as in the rows"});
     return found;
 }
 
@@ -241,7 +241,7 @@ std::int64_t LevelReader::filledCells(GridSize size) {
             if (&each == &level &&
                 (filled.x + filled.width > size.width || filled.y + filled.depth > size.depth))
                 checker_.add(filled.value, "a rectangle beyond the edge of the map"_later,
-                             {"x below ", size.width, " and y below "_later, size.depth});
+                             {"x below ", size.width, " and y below ", size.depth});
         }
     }
     return std::max(sum, tiles);
@@ -360,7 +360,7 @@ void readLevels(Reading& reading, JsonValue value, FoundValue size, const Legend
     for (const JsonValue level : value) isFlat = isFlat && level.isText();
     if (isFlat) {
         checker.add(
-            value, "an array of rows"_later,
+            value, "an array of rows",
             "an array of levels, each of them an array of rows: [[\"###\", \"#.#\"]]"_later);
         return;
     }

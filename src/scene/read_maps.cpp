@@ -15,7 +15,7 @@ void readName(Reading& reading, const Fields& fields, std::uint16_t index, Map& 
     if (!name) return;
     map.name = *name;
     if (reading.maps.find(*name)) {
-        reading.checker.add(*member, {"the name ", quoted(*name), " a second time"_later},
+        reading.checker.add(*member, {"the name ", quoted(*name), " a second time"},
                             "a name that no other map has"_later);
     } else {
         reading.maps.add(member->text(), index);
@@ -36,7 +36,7 @@ void checkCeiling(Reading& reading, JsonValue value, const Map& map) {
                 continue;
             reading.checker.add(value,
                                 {"a ceiling through the block "_later, quoted(block.name), " at x ",
-                                 x, ", y ", y, ", level ", level, ", which has slopes"_later},
+                                 x, ", y ", y, ", level ", level, ", which has slopes"},
                                 "a ceiling above or below it, or none in its tile"_later);
             return;
         }

@@ -37,7 +37,7 @@ void readAxis(Checker& checker, const Fields& fields, Motion& motion) {
     if (moves && moves->isText() && moves->text() != "both" && !fields.find("along")) {
         for (const auto& [axis, name] : {kAxes[0], kAxes[1]}) {
             if (!valueOf(kEdges[static_cast<std::size_t>(axis)], moves->text())) continue;
-            checker.add(*moves, {quoted(moves->text()), " without \"along\""_later},
+            checker.add(*moves, {quoted(moves->text()), " without \"along\""},
                         {"\"along\": ", quoted(name), " beside it"});
             return;
         }
@@ -85,10 +85,9 @@ Motion readMotion(Checker& checker, JsonValue value) {
     const double fastest = fastestSpeed(motion.shape, (motion.to - motion.from).value(),
                                         static_cast<double>(motion.periodSteps) / kStepsPerSecond);
     if (fastest > kFastestMotion) {
-        checker.add(
-            value,
-            {"a motion that reaches "_later, roundedText(fastest, 4), " units per second"_later},
-            kSlower);
+        checker.add(value,
+                    {"a motion that reaches "_later, roundedText(fastest, 4), " units per second"},
+                    kSlower);
     }
     return motion;
 }

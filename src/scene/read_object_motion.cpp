@@ -96,7 +96,7 @@ std::optional<PathPoint> readPoint(Reading& reading, JsonValue value, int ownMap
     const Map& map = reading.description.world.maps[static_cast<std::size_t>(point.map)];
     if (map.width > 0 && !map.contains(point.place.x.tile(), point.place.y.tile())) {
         checker.add(value, "a point outside the map"_later,
-                    {"x below ", map.width, " and y below "_later, map.depth});
+                    {"x below ", map.width, " and y below ", map.depth});
         return std::nullopt;
     }
     return point;

@@ -18,7 +18,7 @@ void addMotion(Reading& reading, JsonValue value, const ReadMotion& read, int ob
     ObjectMotion motion = read.motion;
     std::vector<ObjectMotion>& motions = reading.description.world.movingObjects.motions;
     if (motions.size() == static_cast<std::size_t>(kMaxMovingObjects)) {
-        reading.checker.add(value, words("more than ", kMaxMovingObjects, " moving objects"_later),
+        reading.checker.add(value, words("more than ", kMaxMovingObjects, " moving objects"),
                             {"at most ", kMaxMovingObjects, " in a scene"});
         return;
     }
@@ -72,7 +72,7 @@ std::optional<Object> readObject(Reading& reading, JsonValue value, bool hasSize
         // It hangs at four fifths of the object's height
         place(*lamp, "a lamp", {object.height.raw / 5 * 4});
         if (fields->find("find"))
-            checker.add(*lamp, "a lamp on a find"_later,
+            checker.add(*lamp, "a lamp on a find",
                         "\"lamp\" without \"find\": finds are taken"_later);
     }
     if (const auto heading = fields->find("heading")) {
@@ -89,7 +89,7 @@ std::optional<Object> readObject(Reading& reading, JsonValue value, bool hasSize
     if (checker.count() == faultsBefore && hasSize &&
         !map.contains(object.x.tile(), object.y.tile())) {
         checker.add(value, "an object outside the map"_later,
-                    {"x below ", map.width, " and y below "_later, map.depth});
+                    {"x below ", map.width, " and y below ", map.depth});
     }
     const auto index = static_cast<int>(map.objects.size());
     if (const auto find = fields->find("find")) readFind(reading, *find, index);
@@ -138,7 +138,7 @@ void readSprites(Reading& reading, JsonValue value) {
 void readObjects(Reading& reading, JsonValue value, bool hasSize, Map& map) {
     Checker& checker = reading.checker;
     if (!value.isArray()) {
-        checker.refuse(value, "an array of objects"_later);
+        checker.refuse(value, "an array of objects");
         return;
     }
     std::size_t before = 0;

@@ -26,7 +26,7 @@ NamedPlace readPlace(Reading& reading, JsonValue value, bool hasSize, const Map&
     if (checker.count() == faultsBefore && hasSize &&
         !map.contains(static_cast<int>(place.x), static_cast<int>(place.y)))
         checker.add(value, "a place outside the map"_later,
-                    {"x below ", map.width, " and y below "_later, map.depth});
+                    {"x below ", map.width, " and y below ", map.depth});
     return place;
 }
 
@@ -36,8 +36,7 @@ void readPlaces(Reading& reading, JsonValue value, bool hasSize, const Map& map)
     Checker& checker = reading.checker;
     Places& places = reading.places.back();
     if (!value.isObject() || value.count() > kMaxPlaces) {
-        checker.refuse(value,
-                       {"an object with at most "_later, kMaxPlaces, " places, by name"_later});
+        checker.refuse(value, {"an object with at most "_later, kMaxPlaces, " places, by name"});
         places.names.takeAny();
         return;
     }
@@ -67,7 +66,7 @@ NamedPlace readPosition(Reading& reading, JsonValue value, const Fields& fields,
         if (!name) {
             fields.require(key, range.words);
         } else if (const auto other = fields.find(key)) {
-            reading.checker.addAtKey(*other, {quoted(key), " beside a \"place\""_later},
+            reading.checker.addAtKey(*other, {quoted(key), " beside a \"place\""},
                                      "\"place\", or \"x\" and \"y\""_later);
         }
     }

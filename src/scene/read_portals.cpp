@@ -76,7 +76,7 @@ public:
 
     void read(const PortalList& list) {
         if (!list.value.isArray()) {
-            checker_.add(list.value, checker_.shown(list.value), "an array of portals"_later);
+            checker_.add(list.value, checker_.shown(list.value), "an array of portals");
             return;
         }
         for (const JsonValue element : list.value) {
@@ -114,7 +114,7 @@ private:
         const auto found = std::find(names.begin(), names.end(), *name);
         if (found != names.end()) return static_cast<Face>(found - names.begin());
         checker_.add(value, {"the name ", quoted(*name)},
-                     {"one of the faces "_later, listed(names), suggestion(*name, names)});
+                     {"one of the faces ", listed(names), suggestion(*name, names)});
         return Face::north;
     }
 
@@ -153,13 +153,13 @@ private:
     bool isOnMap(JsonValue at, int mapIndex, GridTile tile, int level, const char* what) {
         const Map& map = mapAt(mapIndex);
         if (!map.contains(tile.x, tile.y)) {
-            checker_.add(at, {what, " outside the map "_later, quoted(map.name)},
-                         {"x below ", map.width, " and y below "_later, map.depth});
+            checker_.add(at, {what, " outside the map ", quoted(map.name)},
+                         {"x below ", map.width, " and y below ", map.depth});
             return false;
         }
         if (level > map.levels) {
             checker_.add(at, {what, " on level ", level},
-                         {"a level from 0 to "_later, map.levels,
+                         {"a level from 0 to ", map.levels,
                           ", the one above all blocks of the map "_later, quoted(map.name)});
             return false;
         }
@@ -206,7 +206,7 @@ private:
         const BlueprintId id = mapAt(portal.fromMap).cell(tile.x, tile.y, order.level);
         if (id == kEmptyCell) {
             checker_.add(
-                order.value, {"no block at "_later, cellText(tile, order.level)},
+                order.value, {"no block at ", cellText(tile, order.level)},
                 "a block that has this face; without \"face\" the whole tile is the portal"_later);
             return;
         }
@@ -240,7 +240,7 @@ private:
             checker_.add(order.value,
                          {"no block for the way back at "_later,
                           cellText({back.fromX, back.fromY}, backLevel)},
-                         {"a block whose "_later, kFaceNames[static_cast<std::size_t>(backFace)],
+                         {"a block whose ", kFaceNames[static_cast<std::size_t>(backFace)],
                           " face lies behind the exit, or no \"twoWay\""_later});
             return;
         }
@@ -295,7 +295,7 @@ private:
         const auto leadsInto = [&](const Stretch& room) { return overlap(room, opening); };
         if (std::none_of(free.begin(), free.end(), leadsInto)) {
             checker_.add(at,
-                         {what, " inside the block "_later, quoted(inTheWay), " at ",
+                         {what, " inside the block ", quoted(inTheWay), " at ",
                           cellText(tile, levelInTheWay)},
                          "an exit outside solid blocks"_later);
             return false;
@@ -338,7 +338,7 @@ private:
         if (place != kNoPortal) {
             checker_.add(at,
                          {"a second portal at x "_later, portal.fromX, ", y ", portal.fromY,
-                          " of the map "_later, quoted(map.name)},
+                          " of the map ", quoted(map.name)},
                          "one portal per tile, counting the ways back of others"_later);
             return false;
         }
@@ -357,7 +357,7 @@ private:
             checker_.add(at,
                          {"a portal in a roof or an underside that leads to the block "_later,
                           quoted(block.name), " at ", cellText({portal.toX, portal.toY}, level),
-                          ", which has slopes"_later},
+                          ", which has slopes"},
                          "an exit tile without blocks with \"rise\""_later);
             return false;
         }
@@ -385,7 +385,7 @@ private:
         if (world_.blueprints[id].slopes.any()) {
             checker_.add(at,
                          {"a portal on the block "_later, quoted(world_.blueprints[id].name),
-                          ", which has slopes"_later},
+                          ", which has slopes"},
                          "a block without \"rise\""_later);
             return false;
         }
@@ -394,7 +394,7 @@ private:
         if (world_.blueprints[id].isWater) {
             checker_.add(at,
                          {"a portal on the block "_later, quoted(world_.blueprints[id].name),
-                          ", which is water"_later},
+                          ", which is water"},
                          "a solid block, or a portal of the whole tile, without \"face\""_later);
             return false;
         }
@@ -417,7 +417,7 @@ private:
             checker_.add(
                 at,
                 {"a second portal on the "_later, kFaceNames[static_cast<std::size_t>(face)],
-                 " face at ", cellText(tile, level), " of the map "_later, quoted(map.name)},
+                 " face at ", cellText(tile, level), " of the map ", quoted(map.name)},
                 "one portal per face, counting the ways back of others"_later);
             return false;
         }

@@ -49,12 +49,20 @@ Box readArea(Reading& reading, JsonValue value, const Fields& fields,
             toCoordinate(fields.number("top", kAreaHeight, kMaxHeight))};
 }
 
+// "needs" and "unless" of the next message; the names of finds are known once all maps are read.
+void readConditions(Reading& reading, const Fields& fields) {
+    const std::size_t number = reading.description.world.quest.notices.size();
+    if (const auto needs = fields.find("needs"))
+        reading.needs.push_back({*needs, PlacedNeeds::Of::notice, number});
+    if (const auto unless = fields.find("unless"))
+        reading.needs.push_back({*unless, PlacedNeeds::Of::unless, number});
+}
+
 void checkArea(Reading& reading, JsonValue value, int map, const Box& area, const char* what) {
     const Map& grid = reading.description.world.maps[static_cast<std::size_t>(map)];
     if (area.east > tileEdge(grid.width) || area.south > tileEdge(grid.depth)) {
-        reading.checker.add(
-            value, {what, " beyond the edge of the map"_later},
-            {"tiles with x below "_later, grid.width, " and y below "_later, grid.depth});
+        reading.checker.add(value, {what, " beyond the edge of the map"_later},
+                            {"tiles with x below ", grid.width, " and y below ", grid.depth});
     } else if (!reading.rooms.hasRoomIn(reading.description.world, map, area)) {
         reading.checker.warn(value, {what, " where the player has no room"_later},
                              "a tile that the player can enter"_later);
@@ -205,13 +213,14 @@ void readObjectMessage(Reading& reading, JsonValue value, int object) {
     if (value.isText()) {
         notice.text = readMessage(checker, value);
     } else {
-        const auto fields = checker.fields(value, {"text", "near", "once"},
+        const auto fields = checker.fields(value, {"text", "near", "once", "needs", "unless"},
                                            "a message: its text, or an object with \"text\"");
         if (!fields) return;
         if (const auto text = fields->require("text", "the message"))
             notice.text = readMessage(checker, *text);
         notice.near = toCoordinate(fields->number("near", kNoticeNear, kUsualNear.value()));
         notice.once = fields->flag("once", false);
+        readConditions(reading, *fields);
     }
     std::vector<Notice>& notices = reading.description.world.quest.notices;
     reading.addAim(Aim::What::notice, value, notices.size());
@@ -226,9 +235,10 @@ void readMessages(Reading& reading, JsonValue value) {
     }
     for (const JsonValue element : value) {
         if (!hasRoomForNotice(reading, element)) return;
-        const auto fields = checker.fields(
-            element, {"text", "place", "x", "y", "width", "depth", "bottom", "top", "near", "once"},
-            "a message: an object with \"text\", \"x\" and \"y\"");
+        const auto fields = checker.fields(element,
+                                           {"text", "place", "x", "y", "width", "depth", "bottom",
+                                            "top", "near", "once", "needs", "unless"},
+                                           "a message: an object with \"text\", \"x\" and \"y\"");
         if (!fields) continue;
         Notice notice;
         notice.map = static_cast<int>(reading.description.world.maps.size());
@@ -237,6 +247,7 @@ void readMessages(Reading& reading, JsonValue value) {
         notice.area = readArea(reading, element, *fields, static_cast<std::uint16_t>(notice.map));
         notice.near = toCoordinate(fields->number("near", kNoticeNear, 0.0));
         notice.once = fields->flag("once", false);
+        readConditions(reading, *fields);
         std::vector<Notice>& notices = reading.description.world.quest.notices;
         reading.placedNotices.push_back({element, notices.size()});
         reading.addAim(Aim::What::notice, element, notices.size());
@@ -246,9 +257,15 @@ void readMessages(Reading& reading, JsonValue value) {
 
 void placeQuest(Reading& reading, FoundValue game) {
     for (const PlacedNeeds& placed : reading.needs) {
-        GateKind& kind = reading.description.world.gateKinds[static_cast<std::size_t>(placed.gate)];
-        kind.needs = readNeeds(reading, placed.value);
-        if (reading.checker.count() == 0) checkNeeds(reading, placed.value, kind.needs);
+        World& world = reading.description.world;
+        const Needs needs = readNeeds(reading, placed.value);
+        if (reading.checker.count() == 0) checkNeeds(reading, placed.value, needs);
+        if (placed.of == PlacedNeeds::Of::gate) {
+            world.gateKinds[placed.number].needs = needs;
+        } else if (placed.number < world.quest.notices.size()) {
+            Notice& notice = world.quest.notices[placed.number];
+            (placed.of == PlacedNeeds::Of::notice ? notice.needs : notice.unless) = needs;
+        }
     }
     if (game) readGame(reading, *game);
     if (reading.checker.count() != 0) return;

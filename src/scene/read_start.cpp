@@ -43,7 +43,7 @@ void checkPosition(Reading& reading, JsonValue value, const Start& start) {
     const Map& map = world.maps[static_cast<std::size_t>(start.map)];
     if (!map.contains(start.x.tile(), start.y.tile())) {
         reading.checker.add(value, "a start outside the map"_later,
-                            {"x below ", map.width, " and y below "_later, map.depth});
+                            {"x below ", map.width, " and y below ", map.depth});
         return;
     }
     // The player starts crouched where there is no room to stand.

@@ -42,11 +42,11 @@ std::optional<std::string> readFileName(Checker& checker, JsonValue value) {
     std::optional<std::string> name = checker.text(value, kMaxPathLength, expected);
     if (!name) return std::nullopt;
     if (const std::string_view why = whyNotPortable(*name); !why.empty()) {
-        checker.add(value, {"the file name "_later, quoted(*name)}, {expected, why});
+        checker.add(value, {"the file name ", quoted(*name)}, {expected, why});
         return std::nullopt;
     }
     if (!isPng(*name)) {
-        checker.add(value, {"the file name "_later, quoted(*name)},
+        checker.add(value, {"the file name ", quoted(*name)},
                     "a name that ends in .png; only PNG files are read"_later);
         return std::nullopt;
     }

@@ -65,10 +65,12 @@ struct PlacedPath {
     std::size_t motion;
 };
 
-// What a gate needs, and where the file states it.
+// What a gate or a message needs, and where the file states it.
 struct PlacedNeeds {
+    enum class Of : std::uint8_t { gate, notice, unless };
     JsonValue value;
-    int gate;  // index into World::gateKinds
+    Of of;
+    std::size_t number;  // index into World::gateKinds or Quest::notices
 };
 
 // A message of an area, and where the file states it.
@@ -186,7 +188,8 @@ void readObjectMessage(Reading& reading, JsonValue value, int object);
 // "find" alone: its kind and its message.
 std::optional<Find> readFindKind(Reading& reading, JsonValue value);
 
-// "messages" of the next map: [ { text, x, y, width, depth, bottom, top, near, once } ]
+// "messages" of the next map: [ { text, place, x, y, width, depth, bottom, top, near, once, needs,
+// unless } ]
 void readMessages(Reading& reading, JsonValue value);
 
 // "game": { aim, needs, at, message }, and the needs of gates. Call it when everything else has

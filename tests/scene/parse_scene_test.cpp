@@ -688,5 +688,46 @@ TEST(LoadScene, TellsTheFaultsOfImagesThatWereDecodedEarly) {
     }
 }
 
+// Each object of a scene that has every key.
+TEST(ParseScene, LeavesDataAlone) {
+    const std::string text = readText(sceneTestFolder() / "everything.json");
+    const LoadedScene before = loadText(text);
+    ASSERT_TRUE(before.world) << inWords(before.faults);
+    int objects = 0;
+    std::string with;
+    for (std::size_t i = 0; i < text.size(); ++i) {
+        with += text[i];
+        // What has a comment has no other keys but its own
+        if (text.compare(i, 11, "\"comment\": ") != 0 || text.compare(i, 12, "\"comment\": 7") == 0)
+            continue;
+        if (++objects == 1) continue;  // the scene has some
+        with.insert(
+            with.size() - 1,
+            "\"data\": { \"x\": [1, { \"faces\": null, \"comment\": [] }], \"\": -0.5e3 }, ");
+    }
+    EXPECT_GT(objects, 30);
+    const LoadedScene after = loadText(with);
+    EXPECT_EQ(inWords(after.faults), "");
+    ASSERT_TRUE(after.world);
+    ASSERT_EQ(after.world->maps.size(), before.world->maps.size());
+    for (std::size_t i = 0; i < before.world->maps.size(); ++i)
+        EXPECT_EQ(after.world->maps[i].cells, before.world->maps[i].cells);
+    EXPECT_EQ(after.warnings.size(), before.warnings.size());
+}
+
+TEST(ParseScene, CountsDataAsPartOfTheText) {
+    const auto faults = [](const std::string& data) {
+        return parseScene(smallScene(R"([["###", "#.#", "###"]])", "\"data\": " + data),
+                          "test.json")
+            .faults;
+    };
+    EXPECT_EQ(inWords(faults("[[[[1]]]]")), "");
+    ASSERT_EQ(faults(std::string(40, '[') + std::string(40, ']')).size(), 1u);
+    std::string many = "[0";
+    for (int i = 0; i < 2'000'000; ++i) many += ",0";
+    ASSERT_EQ(faults(many + "]").size(), 1u);
+    EXPECT_EQ(faults(many + "]")[0].found, "more than 2000000 values");
+}
+
 }  // namespace
 }  // namespace slicecast

@@ -597,6 +597,7 @@ private:
             return Json(
                 (*choices)[static_cast<unsigned>(random_.below(static_cast<int>(choices->Size())))],
                 memory_);
+        if (textOf(member(one, "title")) == "Data") return madeData(3);
         const std::string_view type = textOf(member(one, "type"));
         if (type == "boolean") return Json(random_.oneIn(2));
         if (type == "number" || type == "integer") return madeNumber(one, type == "integer");
@@ -608,6 +609,32 @@ private:
         if (type == "array") return madeArray(one, way.about);
         if (type == "object") return madeObject(one, way.about);
         return Json();
+    }
+
+    // Any JSON, with objects and arrays at most so deep.
+    Json madeData(int depth) {
+        switch (random_.below(depth > 0 ? 6 : 4)) {
+            case 0:
+                return Json(random_.unit());
+            case 1:
+                return text("levels");
+            case 2:
+                return Json(random_.oneIn(2));
+            case 3:
+                return Json();
+            case 4: {
+                Json array(rapidjson::kArrayType);
+                for (int i = random_.below(3); i >= 0; --i)
+                    array.PushBack(madeData(depth - 1), memory_);
+                return array;
+            }
+            default: {
+                Json object(rapidjson::kObjectType);
+                for (const char* const key : {"comment", "x", ""})
+                    if (random_.oneIn(2)) set(object, text(key), madeData(depth - 1));
+                return object;
+            }
+        }
     }
 
     Json madeNumber(const Json& schema, bool isWhole) {

@@ -14,6 +14,7 @@ const kSaid = {
   textureName: 'the name of a texture',
   rows: 'rows of characters',
   legend: 'a name for each character',
+  data: 'any JSON',
   groundName: '<code>floor</code> or the name of a blueprint',
 };
 // Better titles than the schema's, which need their context.
