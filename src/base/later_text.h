@@ -2,6 +2,8 @@
 // (tools/split-program.mjs).
 //
 //     checker.add(value, "a start outside the map"_later, ...)
+//     LaterText text = "a lamp"_onFault;      // not read before it is called:
+//     checker.refuse(value, wordsOf(text));
 //
 // Elsewhere it is a text like others. In the page it is a function, of the later part, that writes
 // the text.
@@ -46,11 +48,29 @@ __attribute__((noinline)) const char* operator""_later() {
     return place;
 }
 
+using LaterText = const char* (*)();
+template <LiteralText text>
+constexpr LaterText operator""_onFault() {
+    return &operator""_later<text>;
+}
+inline const char* wordsOf(LaterText text) {
+    return text();
+}
+
 #else
 
 template <LiteralText text>
 constexpr const char* operator""_later() {
     return text.characters;
+}
+
+using LaterText = const char*;
+template <LiteralText text>
+constexpr LaterText operator""_onFault() {
+    return text.characters;
+}
+inline const char* wordsOf(LaterText text) {
+    return text;
 }
 
 #endif

@@ -181,9 +181,9 @@ std::string Checker::shown(JsonValue value) const {
 }
 
 std::optional<Fields> Checker::fields(JsonValue value, std::span<const std::string_view> known,
-                                      const char* expected) {
+                                      LaterText expected) {
     if (!value.isObject()) {
-        refuse(value, expected);
+        refuse(value, wordsOf(expected));
         return std::nullopt;
     }
     Fields fields(*this, value);

@@ -2,6 +2,7 @@
 // that fails reports its own fault, so that one pass over the tree finds all of them.
 #pragma once
 
+#include "base/later_text.h"
 #include "base/named.h"
 #include "base/words.h"
 #include "scene/json_tree.h"
@@ -79,9 +80,9 @@ public:
     // The members of an object; `known` are its keys besides "comment" and "data". Reports unknown
     // keys. Nothing if the value is no object, which is reported as not `expected`.
     std::optional<Fields> fields(JsonValue value, std::span<const std::string_view> known,
-                                 const char* expected);
+                                 LaterText expected);
     std::optional<Fields> fields(JsonValue value, std::initializer_list<std::string_view> known,
-                                 const char* expected);
+                                 LaterText expected);
 
     // Each of these reads a value. Reports a value of another kind or outside the range, and
     // returns nothing.
@@ -168,7 +169,7 @@ private:
 
 inline std::optional<Fields> Checker::fields(JsonValue value,
                                              std::initializer_list<std::string_view> known,
-                                             const char* expected) {
+                                             LaterText expected) {
     return fields(value, std::span(known.begin(), known.size()), expected);
 }
 

@@ -64,7 +64,7 @@ std::string Legend::characters() const {
     return words(list, "'.' or a space");
 }
 
-void readLegend(Checker& checker, JsonValue value, const NameTable& names, const char* what,
+void readLegend(Checker& checker, JsonValue value, const NameTable* names, const char* what,
                 Legend& legend) {
     if (!value.isObject()) {
         checker.refuse(
@@ -78,6 +78,7 @@ void readLegend(Checker& checker, JsonValue value, const NameTable& names, const
         legend.takeAny();
         return;
     }
+    std::uint16_t number = 0;
     for (const JsonValue member : value) {
         const std::string_view key = member.key();
         std::size_t end = 0;
@@ -93,7 +94,7 @@ void readLegend(Checker& checker, JsonValue value, const NameTable& names, const
         } else if (!isSingle) {
             checker.addAtKey(member, {"the key ", quoted(key)}, "a single visible character"_later);
         }
-        const std::uint16_t id = checker.name(member, names, what).value_or(0);
+        const std::uint16_t id = names ? checker.name(member, *names, what).value_or(0) : number++;
         // Signs of faulty entries count as known, so that their uses in grids are not reported too.
         std::size_t offset = 0;
         for (std::size_t taken = 0; offset < key.size() && taken < kMaxNameLength && !isReserved;
@@ -129,7 +130,8 @@ void readRow(Checker& checker, JsonValue value, int row, int width, const Legend
     }
 }
 
-std::uint16_t readSign(Checker& checker, JsonValue value, const Legend& legend) {
+__attribute__((noinline)) std::uint16_t readSign(Checker& checker, JsonValue value,
+                                                 const Legend& legend) {
     if (value.isText()) {
         if (const auto id = legend.find(value.text())) return *id;
     }

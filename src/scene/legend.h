@@ -49,8 +49,9 @@ private:
 };
 
 // Adds the members of a legend object, whose values are names out of `names`; `what` says of what:
-// "blueprint" or "texture". Characters defined before get their new meaning.
-void readLegend(Checker& checker, JsonValue value, const NameTable& names, const char* what,
+// "blueprint" or "texture". Characters defined before get their new meaning. Without `names`, a
+// member's number counts the members before it, and its value is not looked at.
+void readLegend(Checker& checker, JsonValue value, const NameTable* names, const char* what,
                 Legend& legend);
 
 // The number of tiles of a grid.

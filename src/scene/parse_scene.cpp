@@ -97,11 +97,11 @@ void SceneParser::Work::readText() {
 // Tree to description. Reads every part of the tree, even after faults in earlier ones.
 void SceneParser::Work::readScene() {
     for (const auto& [again, first] : json.tree.duplicateKeys()) checker.addSecondKey(again, first);
-    fields =
-        checker.fields(json.tree.root(),
-                       {"$schema", "title", "textures", "sprites", "motions", "blueprints",
-                        "legend", "maps", "portalLimit", "game", "start"},
-                       "a scene: an object with \"title\", \"textures\", \"maps\" and \"start\"");
+    fields = checker.fields(
+        json.tree.root(),
+        {"$schema", "title", "textures", "sprites", "motions", "blueprints", "legend", "maps",
+         "portalLimit", "game", "start"},
+        "a scene: an object with \"title\", \"textures\", \"maps\" and \"start\""_onFault);
     if (!fields) return;
     if (const auto schema = fields->find("$schema"))
         checker.text(*schema, kMaxPathLength, "the address of the schema");
@@ -125,7 +125,7 @@ void SceneParser::Work::readNames() {
     if (const auto motions = fields->find("motions")) readMotions(reading, *motions);
     if (const auto blueprints = fields->find("blueprints")) readBlueprints(reading, *blueprints);
     if (const auto own = fields->find("legend"))
-        readLegend(checker, *own, reading.blueprints, "blueprint", reading.legend);
+        readLegend(checker, *own, &reading.blueprints, "blueprint", reading.legend);
     reading.areBlueprintsSound = checker.count() == faultsBefore;
 }
 
@@ -168,6 +168,10 @@ void SceneParser::Work::readGame() {
 
 void SceneParser::Work::findMistakes() {
     if (checker.count() == 0) findHiddenThings(reading);
+    for (const Places& each : reading.places) {
+        for (const NamedPlace& place : each.places)
+            if (!place.isUsed) reading.addAim(Aim::What::place, place.value, 0);
+    }
     const std::vector<Map>& maps = description->world.maps;
     if (reading.lamp &&
         std::none_of(maps.begin(), maps.end(), [](const Map& map) { return map.baked.on; }))

@@ -19,7 +19,7 @@ JsonValue elementOf(JsonValue array, int index) {
 }
 
 // Whether a row leaves the tile to what fills its level.
-bool keeps(JsonValue row, int x) {
+__attribute__((noinline)) bool keeps(JsonValue row, int x) {
     std::size_t offset = 0;
     for (int i = 0; i < x; ++i) takeSign(row.text(), offset);
     return row.text()[offset] == ' ';

@@ -40,7 +40,7 @@ FaceBlueprint readFace(Reading& reading, JsonValue value, bool isRoof) {
     face.texture = 0;
     const auto fields = reading.checker.fields(
         value, {"texture", "light", "glow", "mirror", "ripples", "lamp"},
-        "a texture's name, or an object with \"texture\", \"light\" and \"glow\"");
+        "a texture's name, or an object with \"texture\", \"light\" and \"glow\""_onFault);
     if (!fields) return face;
     if (const auto texture = fields->require("texture", "the name of a texture")) {
         face.texture = reading.checker.name(*texture, reading.textures, "texture").value_or(0);
@@ -70,7 +70,7 @@ void readFaces(Reading& reading, JsonValue value, CellBlueprint& blueprint) {
     const Half half = blueprint.plan.half;
     if (half != Half::none) keys.emplace_back(kDiagonal);
     const auto fields = reading.checker.fields(
-        value, keys, "a texture's name, or an object with textures for the faces");
+        value, keys, "a texture's name, or an object with textures for the faces"_onFault);
     if (!fields) return;
     for (const FaceKey& faceKey : kFaceKeys) {
         const auto member = fields->find(faceKey.key);
@@ -107,8 +107,8 @@ void readFaces(Reading& reading, JsonValue value, CellBlueprint& blueprint) {
 void readWater(Reading& reading, JsonValue value, CellBlueprint& blueprint) {
     blueprint.isWater = value.kind() != JsonValue::Kind::boolean || value.boolean();
     if (value.kind() == JsonValue::Kind::boolean) return;
-    const auto fields = reading.checker.fields(value, {"colour", "sight"},
-                                               "true, or an object with \"colour\" and \"sight\"");
+    const auto fields = reading.checker.fields(
+        value, {"colour", "sight"}, "true, or an object with \"colour\" and \"sight\""_onFault);
     if (!fields) return;
     blueprint.waterColour = fields->colour("colour", kWaterColour);
     blueprint.waterSight = fields->number("sight", kSight, kWaterSight);
@@ -218,7 +218,7 @@ CellBlueprint readBlueprint(Reading& reading, JsonValue value) {
     const auto fields = reading.checker.fields(
         value,
         {"bottom", "top", "rise", "plan", "diagonal", "water", "faces", "join", "motion", "gate"},
-        "a blueprint: an object with \"faces\"");
+        "a blueprint: an object with \"faces\""_onFault);
     if (!fields) return blueprint;
     const std::size_t faultsBefore = reading.checker.count();
     readShape(reading, value, *fields, blueprint);

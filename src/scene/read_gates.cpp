@@ -69,7 +69,7 @@ int readGate(Reading& reading, JsonValue value) {
     const auto fields = checker.fields(value,
                                        {"seconds", "reach", "keyed", "approach", "hold", "every",
                                         "once", "follows", "open", "needs", "locked"},
-                                       "a gate: an object, which may be {}");
+                                       "a gate: an object, which may be {}"_onFault);
     if (fields) {
         const auto followed = fields->find("follows");
         kind.steps = std::max(1, stepsOf(fields->number("seconds", kOpening, 0.8)));

@@ -61,7 +61,8 @@ struct Level {
     std::vector<Filled> filled = {};
 };
 
-// Reads what stands in "levels", and sets the cells.
+// Reads what stands in "levels", and sets the cells. What is not inlined is needed by no scene
+// whose levels are all rows.
 class LevelReader {
 public:
     LevelReader(Reading& reading, const Legend& legend)
@@ -71,19 +72,19 @@ public:
 
 private:
     void addLevels(JsonValue list, bool mayRepeat);
-    void addRepeated(JsonValue value);
+    __attribute__((noinline)) void addRepeated(JsonValue value);
     void addLevel(JsonValue value);
-    void addFilled(Level& level);
-    void addRectangle(Level& level, JsonValue value);
+    __attribute__((noinline)) void addFilled(Level& level);
+    __attribute__((noinline)) void addRectangle(Level& level, JsonValue value);
     void measureRows(JsonValue rows, Votes& widths, Votes& depths);
-    std::optional<GridSize> readSize(JsonValue value);
+    __attribute__((noinline)) std::optional<GridSize> readSize(JsonValue value);
     std::optional<GridSize> measure(JsonValue value, FoundValue size);
     std::int64_t filledCells(GridSize size);
     bool hasRoom(JsonValue value, std::int64_t cells, const char* noun, std::int64_t& sum,
                  std::int64_t most);
-    void fill(const Level& level, int number, Map& map);
+    __attribute__((noinline)) void fill(const Level& level, int number, Map& map);
     void setRows(const Level& level, int number, Map& map);
-    static void copy(int from, int to, Map& map);
+    __attribute__((noinline)) static void copy(int from, int to, Map& map);
 
     Reading& reading_;
     Checker& checker_;
@@ -109,7 +110,7 @@ void LevelReader::addLevels(JsonValue list, bool mayRepeat) {
 
 // { "repeat", "levels" }
 void LevelReader::addRepeated(JsonValue value) {
-    const auto fields = checker_.fields(value, {"repeat", "levels"}, kLevel);
+    const auto fields = checker_.fields(value, {"repeat", "levels"}, "levels to repeat"_onFault);
     fields->require("repeat", kTimes.words);
     const int times = fields->wholeNumber("repeat", kTimes, 1);
     const auto list = fields->require("levels", kLevels);
@@ -139,7 +140,9 @@ void LevelReader::addLevel(JsonValue value) {
 
 // { "fill", "rows" }
 void LevelReader::addFilled(Level& level) {
-    const auto fields = checker_.fields(level.value, {"fill", "rows"}, kLevel);
+    const auto fields =
+        checker_.fields(level.value, {"fill", "rows"},
+                        "a level: an array of rows, or an object with \"fill\""_onFault);
     if (!fields) return;
     level.rows = fields->find("rows");
     if (level.rows && !level.rows->isArray()) {
@@ -160,7 +163,7 @@ void LevelReader::addFilled(Level& level) {
 void LevelReader::addRectangle(Level& level, JsonValue value) {
     const auto fields = checker_.fields(value, {"character", "x", "y", "width", "depth"},
                                         "a rectangle: an object with \"character\", \"x\" "
-                                        "and \"y\"");
+                                        "and \"y\""_onFault);
     if (!fields) return;
     Filled filled = {value};
     if (const auto sign = fields->require("character", "a character of the legend"))

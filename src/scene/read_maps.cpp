@@ -48,9 +48,9 @@ Map readMap(Reading& reading, JsonValue value, std::size_t index) {
     Map map;
     const auto fields = checker.fields(
         value,
-        {"name", "legend", "size", "levels", "places", "floor", "ceiling", "objects", "sow",
-         "messages", "portals", "sky", "light", "baked", "fog", "haze", "far"},
-        "a map: an object with \"name\", \"levels\" and \"floor\"");
+        {"name", "legend", "size", "levels", "places", "floor", "ceiling", "objects", "objectRows",
+         "sow", "messages", "portals", "sky", "light", "baked", "fog", "haze", "far"},
+        "a map: an object with \"name\", \"levels\" and \"floor\""_onFault);
     reading.places.resize(index + 1);
     if (!fields) return map;
     readName(reading, *fields, static_cast<std::uint16_t>(index), map);
@@ -58,7 +58,7 @@ Map readMap(Reading& reading, JsonValue value, std::size_t index) {
     // The grid comes first: the rest needs its size.
     Legend legend = reading.legend;
     if (const auto own = fields->find("legend"))
-        readLegend(checker, *own, reading.blueprints, "blueprint", legend);
+        readLegend(checker, *own, &reading.blueprints, "blueprint", legend);
     for (const auto& [sign, blueprint] : legend.entries())
         map.legend.push_back({std::string(sign), blueprint});
     if (const auto levels = fields->require("levels", "an array of levels"))
@@ -75,11 +75,15 @@ Map readMap(Reading& reading, JsonValue value, std::size_t index) {
             checkCeiling(reading, *ceiling, map);
     }
     if (const auto objects = fields->find("objects")) readObjects(reading, *objects, hasSize, map);
+    if (const auto rows = fields->find("objectRows")) readObjectRows(reading, *rows, hasSize, map);
     if (const auto sow = fields->find("sow")) readSowing(reading, *sow);
     if (const auto messages = fields->find("messages")) readMessages(reading, *messages);
     if (const auto portals = fields->find("portals")) reading.portals.push_back({*portals, index});
     if (const auto light = fields->find("light")) readLight(reading, *light, map.light);
-    if (const auto baked = fields->find("baked")) readBakedLight(reading, *baked, hasSize, map);
+    if (const auto baked = fields->find("baked")) {
+        readBakedLight(reading, *baked, hasSize, map);
+        if (map.light.on) reading.addAim(Aim::What::light, *baked, index);
+    }
     if (const auto sky = fields->find("sky")) readSky(reading, *sky, index, map);
     if (const auto fog = fields->find("fog")) readFog(reading, *fog, map.fog);
     map.haze = fields->colour("haze", map.haze);

@@ -72,7 +72,7 @@ Motion readMotion(Checker& checker, JsonValue value) {
     motion.name = std::string(value.key());
     const auto fields =
         checker.fields(value, {"along", "moves", "from", "to", "period", "phase", "shape", "once"},
-                       "a motion: an object with \"moves\", \"to\" and \"period\"");
+                       "a motion: an object with \"moves\", \"to\" and \"period\""_onFault);
     if (!fields) return motion;
     const std::size_t faultsBefore = checker.count();
     readAxis(checker, *fields, motion);

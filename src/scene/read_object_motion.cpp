@@ -40,7 +40,7 @@ int motionSteps(double seconds) {
 void readAlert(Reading& reading, JsonValue value, ObjectMotion& motion) {
     Checker& checker = reading.checker;
     const auto fields = checker.fields(value, {"do", "near", "keep", "speed", "seconds"},
-                                       "what it does: an object with \"do\" and \"near\"");
+                                       "what it does: an object with \"do\" and \"near\""_onFault);
     if (!fields) return;
     fields->requireChoice("do", kReactions);
     fields->require("near", kAlertNear.words);
@@ -56,8 +56,8 @@ void readAlert(Reading& reading, JsonValue value, ObjectMotion& motion) {
 }
 
 void readLooks(Reading& reading, JsonValue value, ObjectMotion& motion) {
-    const auto fields = reading.checker.fields(value, {"walk", "alert"},
-                                               "sprites: an object with \"walk\" and \"alert\"");
+    const auto fields = reading.checker.fields(
+        value, {"walk", "alert"}, "sprites: an object with \"walk\" and \"alert\""_onFault);
     if (!fields) return;
     if (const auto walk = fields->find("walk"))
         motion.walking = reading.checker.name(*walk, reading.sprites, "sprite");
@@ -77,7 +77,7 @@ std::optional<PathPoint> readPoint(Reading& reading, JsonValue value, int ownMap
     } else {
         const auto fields =
             checker.fields(value, {"map", "place", "x", "y", "z", "wait"},
-                           "a point: an object with \"x\" and \"y\", or a place's name");
+                           "a point: an object with \"x\" and \"y\", or a place's name"_onFault);
         if (!fields) return std::nullopt;
         const auto map = fields->mapOr(reading.maps, ownMap);
         point.map = map.value_or(0);
@@ -109,7 +109,7 @@ ReadMotion readObjectMotion(Reading& reading, JsonValue value) {
     ReadMotion read;
     const auto fields = checker.fields(
         value, {"kind", "speed", "heading", "reach", "path", "loop", "alert", "solid", "sprites"},
-        "a motion: an object with \"kind\" and \"speed\"");
+        "a motion: an object with \"kind\" and \"speed\""_onFault);
     if (!fields) return read;
     ObjectMotion& motion = read.motion;
     fields->requireChoice("kind", kKinds);

@@ -10,11 +10,12 @@ constexpr NumberRange kPlaceHeight = {0.0, kMaxHeight, false, "a number from 0 t
 static_assert(kMaxHeight == 1000.0, "as the words say");
 
 // { "x", "y", "z", "heading" }
-NamedPlace readPlace(Reading& reading, JsonValue value, bool hasSize, const Map& map) {
+__attribute__((noinline)) NamedPlace readPlace(Reading& reading, JsonValue value, bool hasSize,
+                                               const Map& map) {
     Checker& checker = reading.checker;
     NamedPlace place = {value};
     const auto fields = checker.fields(value, {"x", "y", "z", "heading"},
-                                       "a place: an object with \"x\" and \"y\"");
+                                       "a place: an object with \"x\" and \"y\""_onFault);
     if (!fields) return place;
     const std::size_t faultsBefore = checker.count();
     for (const char* key : {"x", "y"}) fields->require(key, kOnMapRange.words);
@@ -32,7 +33,8 @@ NamedPlace readPlace(Reading& reading, JsonValue value, bool hasSize, const Map&
 
 }  // namespace
 
-void readPlaces(Reading& reading, JsonValue value, bool hasSize, const Map& map) {
+__attribute__((noinline)) void readPlaces(Reading& reading, JsonValue value, bool hasSize,
+                                          const Map& map) {
     Checker& checker = reading.checker;
     Places& places = reading.places.back();
     if (!value.isObject() || value.count() > kMaxPlaces) {
@@ -47,7 +49,8 @@ void readPlaces(Reading& reading, JsonValue value, bool hasSize, const Map& map)
     }
 }
 
-NamedPlace findPlace(Reading& reading, JsonValue value, std::optional<std::uint16_t> map) {
+__attribute__((noinline)) NamedPlace findPlace(Reading& reading, JsonValue value,
+                                               std::optional<std::uint16_t> map) {
     NamedPlace nowhere = {value};
     // In a map with a fault, the name may be right
     if (!map || *map >= reading.places.size()) return nowhere;

@@ -90,7 +90,7 @@ private:
     std::optional<PortalOrder> readOrder(JsonValue value, std::size_t map) {
         const auto fields =
             checker_.fields(value, {"x", "y", "level", "face", "to", "turn", "twoWay"},
-                            "a portal: an object with \"x\", \"y\" and \"to\"");
+                            "a portal: an object with \"x\", \"y\" and \"to\""_onFault);
         if (!fields) return std::nullopt;
         PortalOrder order{value, value, {}, 0, 0, std::nullopt, false};
         for (const char* key : {"x", "y"}) fields->require(key, kTile.words);
@@ -127,8 +127,9 @@ private:
     }
 
     void readExit(JsonValue value, PortalOrder& order) {
-        const auto fields = checker_.fields(value, {"map", "place", "x", "y", "level"},
-                                            "where it leads: an object with \"x\" and \"y\"");
+        const auto fields =
+            checker_.fields(value, {"map", "place", "x", "y", "level"},
+                            "where it leads: an object with \"x\" and \"y\""_onFault);
         if (!fields) return;
         order.exit = value;
         const auto map = fields->mapOr(reading_.maps, order.portal.fromMap);

@@ -50,11 +50,11 @@ Box readArea(Reading& reading, JsonValue value, const Fields& fields,
 }
 
 // "needs" and "unless" of the next message; the names of finds are known once all maps are read.
-void readConditions(Reading& reading, const Fields& fields) {
+void readConditions(Reading& reading, JsonValue value) {
     const std::size_t number = reading.description.world.quest.notices.size();
-    if (const auto needs = fields.find("needs"))
+    if (const auto needs = value.find("needs"))
         reading.needs.push_back({*needs, PlacedNeeds::Of::notice, number});
-    if (const auto unless = fields.find("unless"))
+    if (const auto unless = value.find("unless"))
         reading.needs.push_back({*unless, PlacedNeeds::Of::unless, number});
 }
 
@@ -123,7 +123,7 @@ void checkNeeds(Reading& reading, JsonValue value, const Needs& needs) {
 void readGame(Reading& reading, JsonValue value) {
     Checker& checker = reading.checker;
     const auto fields = checker.fields(value, {"aim", "needs", "at", "message"},
-                                       "a game: an object, for example with \"aim\"");
+                                       "a game: an object, for example with \"aim\""_onFault);
     if (!fields) return;
     Quest& quest = reading.description.world.quest;
     if (const auto aim = fields->require("aim", "what the player is to do"))
@@ -138,7 +138,7 @@ void readGame(Reading& reading, JsonValue value) {
     if (const auto at = fields->find("at")) {
         const auto place =
             checker.fields(*at, {"map", "place", "x", "y", "width", "depth", "bottom", "top"},
-                           "tiles of a map: an object with \"x\" and \"y\"");
+                           "tiles of a map: an object with \"x\" and \"y\""_onFault);
         if (!place) return;
         const auto map = place->mapOr(reading.maps, reading.description.world.start.map);
         goal.map = map.value_or(0);
@@ -162,19 +162,17 @@ void checkNotice(Reading& reading, std::size_t number) {
 
 }  // namespace
 
-void readFind(Reading& reading, JsonValue value, int object) {
+void placeFind(Reading& reading, JsonValue value, Find find, int object) {
     Quest& quest = reading.description.world.quest;
     if (quest.finds.size() == kMaxFinds) {
         reading.checker.add(value, {"more than ", kMaxFinds, " finds"},
                             {"at most ", kMaxFinds, " in a scene"});
         return;
     }
-    std::optional<Find> find = readFindKind(reading, value);
-    if (!find) return;
-    find->map = static_cast<int>(reading.description.world.maps.size());
-    find->object = object;
+    find.map = static_cast<int>(reading.description.world.maps.size());
+    find.object = object;
     reading.addAim(Aim::What::finds, value, quest.finds.size());
-    quest.finds.push_back(std::move(*find));
+    quest.finds.push_back(std::move(find));
 }
 
 std::optional<Find> readFindKind(Reading& reading, JsonValue value) {
@@ -184,7 +182,7 @@ std::optional<Find> readFindKind(Reading& reading, JsonValue value) {
     std::optional<JsonValue> kind = value;
     if (!value.isText()) {
         const auto fields = checker.fields(value, {"kind", "message"},
-                                           "a find: its name, or an object with \"kind\"");
+                                           "a find: its name, or an object with \"kind\""_onFault);
         if (!fields) return std::nullopt;
         const auto named = fields->require("kind", "the find's name");
         if (const auto message = fields->find("message"))
@@ -203,26 +201,30 @@ std::optional<Find> readFindKind(Reading& reading, JsonValue value) {
     return find;
 }
 
-void readObjectMessage(Reading& reading, JsonValue value, int object) {
-    if (!hasRoomForNotice(reading, value)) return;
+Notice readObjectMessage(Reading& reading, JsonValue value) {
     Checker& checker = reading.checker;
     Notice notice;
-    notice.map = static_cast<int>(reading.description.world.maps.size());
-    notice.object = object;
     notice.near = kUsualNear;
     if (value.isText()) {
         notice.text = readMessage(checker, value);
-    } else {
-        const auto fields = checker.fields(value, {"text", "near", "once", "needs", "unless"},
-                                           "a message: its text, or an object with \"text\"");
-        if (!fields) return;
-        if (const auto text = fields->require("text", "the message"))
-            notice.text = readMessage(checker, *text);
-        notice.near = toCoordinate(fields->number("near", kNoticeNear, kUsualNear.value()));
-        notice.once = fields->flag("once", false);
-        readConditions(reading, *fields);
+        return notice;
     }
+    const auto fields = checker.fields(value, {"text", "near", "once", "needs", "unless"},
+                                       "a message: its text, or an object with \"text\""_onFault);
+    if (!fields) return notice;
+    if (const auto text = fields->require("text", "the message"))
+        notice.text = readMessage(checker, *text);
+    notice.near = toCoordinate(fields->number("near", kNoticeNear, kUsualNear.value()));
+    notice.once = fields->flag("once", false);
+    return notice;
+}
+
+void placeObjectMessage(Reading& reading, JsonValue value, Notice notice, int object) {
+    if (!hasRoomForNotice(reading, value)) return;
     std::vector<Notice>& notices = reading.description.world.quest.notices;
+    notice.map = static_cast<int>(reading.description.world.maps.size());
+    notice.object = object;
+    if (value.isObject()) readConditions(reading, value);
     reading.addAim(Aim::What::notice, value, notices.size());
     notices.push_back(std::move(notice));
 }
@@ -235,10 +237,11 @@ void readMessages(Reading& reading, JsonValue value) {
     }
     for (const JsonValue element : value) {
         if (!hasRoomForNotice(reading, element)) return;
-        const auto fields = checker.fields(element,
-                                           {"text", "place", "x", "y", "width", "depth", "bottom",
-                                            "top", "near", "once", "needs", "unless"},
-                                           "a message: an object with \"text\", \"x\" and \"y\"");
+        const auto fields =
+            checker.fields(element,
+                           {"text", "place", "x", "y", "width", "depth", "bottom", "top", "near",
+                            "once", "needs", "unless"},
+                           "a message: an object with \"text\", \"x\" and \"y\""_onFault);
         if (!fields) continue;
         Notice notice;
         notice.map = static_cast<int>(reading.description.world.maps.size());
@@ -247,7 +250,7 @@ void readMessages(Reading& reading, JsonValue value) {
         notice.area = readArea(reading, element, *fields, static_cast<std::uint16_t>(notice.map));
         notice.near = toCoordinate(fields->number("near", kNoticeNear, 0.0));
         notice.once = fields->flag("once", false);
-        readConditions(reading, *fields);
+        readConditions(reading, element);
         std::vector<Notice>& notices = reading.description.world.quest.notices;
         reading.placedNotices.push_back({element, notices.size()});
         reading.addAim(Aim::What::notice, element, notices.size());

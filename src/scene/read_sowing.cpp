@@ -76,11 +76,11 @@ void readGround(Reading& reading, const Fields& fields, Sowing& sowing) {
 
 void readSown(Reading& reading, JsonValue value) {
     Checker& checker = reading.checker;
-    const auto fields =
-        checker.fields(value,
-                       {"sprite", "density", "seed", "height", "width", "above", "on", "textures",
-                        "clear", "light", "glow", "float", "find", "motion"},
-                       "something to sow: an object with \"sprite\", \"density\" and \"height\"");
+    const auto fields = checker.fields(
+        value,
+        {"sprite", "density", "seed", "height", "width", "above", "on", "textures", "clear",
+         "light", "glow", "float", "find", "motion"},
+        "something to sow: an object with \"sprite\", \"density\" and \"height\""_onFault);
     if (!fields) return;
     Sowing sowing;
     if (const auto sprite = fields->require("sprite", "the name of a sprite")) {

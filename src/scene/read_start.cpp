@@ -89,7 +89,7 @@ void checkEntries(Reading& reading) {
 void readStart(Reading& reading, JsonValue value) {
     Checker& checker = reading.checker;
     const auto fields = checker.fields(value, {"map", "place", "x", "y", "z", "heading", "look"},
-                                       "the start: an object with \"x\" and \"y\"");
+                                       "the start: an object with \"x\" and \"y\""_onFault);
     if (!fields) return;
     const std::size_t faultsBefore = checker.count();
     Start& start = reading.description.world.start;

@@ -23,35 +23,40 @@ void readTiles(Reading& reading, const Fields& fields, TextureId own, TextureId 
     Checker& checker = reading.checker;
     Legend legend(own, space);
     if (const auto member = fields.find("legend"))
-        readLegend(checker, *member, reading.textures, "texture", legend);
-    const auto rows = fields.find("tiles");
-    if (!rows) return;
-    if (!rows->isArray()) {
-        checker.refuse(*rows, "an array of rows, as in a level"_later);
+        readLegend(checker, *member, &reading.textures, "texture", legend);
+    if (const auto rows = fields.find("tiles"))
+        readTileRows(reading, *rows, legend, own, map, hasSize, tiles);
+}
+
+}  // namespace
+
+void readTileRows(Reading& reading, JsonValue rows, const Legend& legend, std::uint16_t otherwise,
+                  const Map& map, bool hasSize, std::vector<std::uint16_t>& tiles) {
+    Checker& checker = reading.checker;
+    if (!rows.isArray()) {
+        checker.refuse(rows, "an array of rows, as in a level"_later);
         return;
     }
-    const bool fits = rows->count() == static_cast<std::size_t>(map.depth);
+    const bool fits = rows.count() == static_cast<std::size_t>(map.depth);
     if (hasSize && !fits) {
-        checker.add(*rows, Counted{static_cast<std::int64_t>(rows->count()), "row"},
+        checker.add(rows, Counted{static_cast<std::int64_t>(rows.count()), "row"},
                     {Counted{map.depth, "row"}, ", as in the map's levels"_later});
     }
     std::vector<std::uint16_t> ids;
     int y = -1;
-    for (const JsonValue row : *rows) {
+    for (const JsonValue row : rows) {
         ++y;
         if (!row.isText()) {
             checker.refuse(row, "a row: a text with one character for each tile"_later);
             continue;
         }
         if (!hasSize) continue;
-        ids.assign(static_cast<std::size_t>(map.width), own);
+        ids.assign(static_cast<std::size_t>(map.width), otherwise);
         readRow(checker, row, y, map.width, legend, ids);
         for (int x = 0; y < map.depth && x < map.width; ++x)
             tiles[map.tileIndex(x, y)] = ids[static_cast<std::size_t>(x)];
     }
 }
-
-}  // namespace
 
 ReadMirror readMirror(Checker& checker, const Fields& fields) {
     const auto share = [&](const char* key) {
@@ -72,7 +77,7 @@ void readFloor(Reading& reading, JsonValue value, bool hasSize, Map& map) {
     } else {
         fields = reading.checker.fields(
             value, {"texture", "light", "glow", "mirror", "ripples", "water", "legend", "tiles"},
-            "a texture's name, or an object with \"texture\"");
+            "a texture's name, or an object with \"texture\""_onFault);
         if (!fields) return;
         if (const auto texture = fields->require("texture", "the name of a texture")) {
             map.floor.texture =
@@ -102,7 +107,7 @@ void readFloor(Reading& reading, JsonValue value, bool hasSize, Map& map) {
 void readCeiling(Reading& reading, JsonValue value, bool hasSize, Map& map) {
     const auto fields =
         reading.checker.fields(value, {"height", "texture", "light", "glow", "legend", "tiles"},
-                               "a ceiling: an object with \"height\" and \"texture\"");
+                               "a ceiling: an object with \"height\" and \"texture\""_onFault);
     if (!fields) return;
     if (const auto height = fields->require("height", kCeilingHeight.words)) {
         map.ceiling.height =
@@ -119,9 +124,9 @@ void readCeiling(Reading& reading, JsonValue value, bool hasSize, Map& map) {
 }
 
 void readLight(Reading& reading, JsonValue value, Light& light) {
-    const auto fields =
-        reading.checker.fields(value, {"on", "intensity", "multiplier", "darkest", "brightest"},
-                               "an object such as { \"intensity\": 1.5, \"multiplier\": 5 }");
+    const auto fields = reading.checker.fields(
+        value, {"on", "intensity", "multiplier", "darkest", "brightest"},
+        "an object such as { \"intensity\": 1.5, \"multiplier\": 5 }"_onFault);
     if (!fields) return;
     const std::size_t faultsBefore = reading.checker.count();
     const Light normal;
@@ -140,8 +145,8 @@ void readLight(Reading& reading, JsonValue value, Light& light) {
 }
 
 void readFog(Reading& reading, JsonValue value, Fog& fog) {
-    const auto fields = reading.checker.fields(value, {"start", "end"},
-                                               "an object such as { \"start\": 5, \"end\": 40 }");
+    const auto fields = reading.checker.fields(
+        value, {"start", "end"}, "an object such as { \"start\": 5, \"end\": 40 }"_onFault);
     if (!fields) return;
     const std::size_t faultsBefore = reading.checker.count();
     fog.on = true;

@@ -76,7 +76,7 @@ TextureReference readPicture(Checker& checker, JsonValue value, bool isTexture) 
             keys.emplace_back("views");
         }
         const auto fields = checker.fields(
-            value, keys, "a PNG file's name, or an object with \"file\" and \"frames\"");
+            value, keys, "a PNG file's name, or an object with \"file\" and \"frames\""_onFault);
         if (!fields) return picture;
         if (const auto file = fields->require("file", "the name of a PNG file"))
             picture.image = referTo(checker, *file, readFileName(checker, *file).value_or(""));

@@ -171,6 +171,9 @@ void readSprites(Reading& reading, JsonValue value);
 // motion } ]; they are checked to be on the map where `hasSize`.
 void readObjects(Reading& reading, JsonValue value, bool hasSize, Map& map);
 
+// "objectRows" of a map: { legend, rows }; the legend has objects without x and y.
+void readObjectRows(Reading& reading, JsonValue value, bool hasSize, Map& map);
+
 // "motion" of an object: { kind, speed, heading, reach, path, loop, alert, solid, sprites }
 struct ReadMotion {
     ObjectMotion motion;
@@ -182,11 +185,12 @@ ReadMotion readObjectMotion(Reading& reading, JsonValue value);
 // The paths of objects that patrol. Call it when all maps have been read.
 void placePaths(Reading& reading);
 
-// "find" and "message" of the next map's object with this index.
-void readFind(Reading& reading, JsonValue value, int object);
-void readObjectMessage(Reading& reading, JsonValue value, int object);
-// "find" alone: its kind and its message.
+// "find" and "message" of an object: its kind and its message; when it is shown.
 std::optional<Find> readFindKind(Reading& reading, JsonValue value);
+Notice readObjectMessage(Reading& reading, JsonValue value);
+// Of the next map's object with this index.
+void placeFind(Reading& reading, JsonValue value, Find find, int object);
+void placeObjectMessage(Reading& reading, JsonValue value, Notice notice, int object);
 
 // "messages" of the next map: [ { text, place, x, y, width, depth, bottom, top, near, once, needs,
 // unless } ]
@@ -256,6 +260,10 @@ NamedPlace findPlace(Reading& reading, JsonValue value, std::optional<std::uint1
 // "x" and "y" of a tile or a point, or the "place" of the map that has them.
 NamedPlace readPosition(Reading& reading, JsonValue value, const Fields& fields, bool isTile,
                         std::optional<std::uint16_t> map);
+
+// Rows with a character for each tile; `tiles` has a number for each already.
+void readTileRows(Reading& reading, JsonValue rows, const Legend& legend, std::uint16_t otherwise,
+                  const Map& map, bool hasSize, std::vector<std::uint16_t>& tiles);
 
 // The surroundings of a map whose size is known; a grid of tiles is only looked at where `hasSize`.
 void readFloor(Reading& reading, JsonValue value, bool hasSize, Map& map);

@@ -162,10 +162,10 @@ TEST(ParseScene, ReadsEveryKey) {
     EXPECT_EQ(bird.light, 0.5);
     EXPECT_TRUE(bird.glow);
 
-    // First the three moving objects of the map and one of the dock, then the sown bushes and
+    // First the three moving objects of the map and two of the dock, then the sown bushes and
     // birds.
     const std::vector<ObjectMotion>& motions = world.movingObjects.motions;
-    ASSERT_EQ(motions.size(), hall.objects.size() - 4 + 1);
+    ASSERT_EQ(motions.size(), hall.objects.size() - 4 + 2);
     EXPECT_EQ(motions[0].kind, ObjectMotion::Kind::pace);
     EXPECT_EQ(motions[0].map, 0);
     EXPECT_EQ(motions[0].object, 2);
@@ -201,9 +201,9 @@ TEST(ParseScene, ReadsEveryKey) {
         EXPECT_FALSE(sown.glow);
         onFloor = onFloor || (sown.z.raw >= 16384 && sown.z.raw <= 32768);
         onWall = onWall || (sown.z.raw >= 65536 + 16384 && sown.z.raw <= 65536 + 32768);
-        EXPECT_EQ(motions[i - 3].object, static_cast<int>(i));
-        EXPECT_EQ(motions[i - 3].headingDegrees, 90.0);
-        EXPECT_EQ(motions[i - 3].reach.raw, 131072);
+        EXPECT_EQ(motions[i - 2].object, static_cast<int>(i));
+        EXPECT_EQ(motions[i - 2].headingDegrees, 90.0);
+        EXPECT_EQ(motions[i - 2].reach.raw, 131072);
     }
     EXPECT_TRUE(onFloor);
     EXPECT_TRUE(onWall);

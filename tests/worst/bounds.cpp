@@ -480,6 +480,22 @@ std::string sownOnNames() {
     return scene.text();
 }
 
+// As many objects by character as there can be, each with a lamp or a motion, some with finds.
+std::string manyObjectRows() {
+    Scene scene;
+    scene.levels = "[]";
+    scene.map =
+        R"(,"size":[256,256],"objectRows":{"legend":{
+"o":{"sprite":"s","height":0.3,"lamp":{"radius":1},"heading":45},
+"m":{"sprite":"s","height":0.3,"motion":{"kind":"wander","speed":1}},
+"f":{"sprite":"s","height":0.3,"find":"a","message":"m"}},"rows":)" +
+        level(256, 256, [](int x, int y) { return y < 16              ? 'm'
+                                                  : y < 20 && x < 200 ? 'f'
+                                                                      : 'o'; }) +
+        "}";
+    return scene.text();
+}
+
 // Tiles that take no text, sown again and again.
 std::string sownOnFilled() {
     Scene scene;
@@ -782,6 +798,7 @@ constexpr Case kCases[] = {
     {"sowings", manySowings, 3},
     {"sown in vain", sownInVain, 3},
     {"sown on names", sownOnNames, 3},
+    {"object rows", manyObjectRows, 10},
     {"sown on filled", sownOnFilled, 3},
     {"filled levels", filledLevels, 10},
     {"blueprints", manyBlueprints, 3},

@@ -327,7 +327,7 @@ private:
                 width_ = (*size)[0].GetInt();
                 depth_ = (*size)[1].GetInt();
             }
-        } else if (object.HasMember("texture") || &object == &scene_) {
+        } else if (object.HasMember("texture") || object.HasMember("rows") || &object == &scene_) {
             characters_.clear();
         }
         const Json* const legend = member(object, "legend");
@@ -416,7 +416,7 @@ private:
     // Of an object whose keys are names or characters.
     void changeNamed(Json& object, const Way& way) {
         const Json& schema = (*way.schema)["additionalProperties"];
-        if (isLegend(*way.schema) && random_.oneIn(4)) {
+        if (isLegend(*way.schema) && !schema.HasMember("$ref") && random_.oneIn(4)) {
             // A character for every blueprint
             char32_t next = 0x4e00;
             for (const std::string& name : names_["blueprint"])
@@ -559,6 +559,8 @@ private:
         for (const char* const plane : {"floor", "ceiling"})
             if (Json* const whole = member(map, plane); whole != nullptr && whole->IsObject())
                 if (Json* const tiles = member(*whole, "tiles")) resizeRows(*tiles, width, depth);
+        if (Json* const objects = member(map, "objectRows"); objects != nullptr)
+            if (Json* const rows = member(*objects, "rows")) resizeRows(*rows, width, depth);
     }
     void resizeLevels(Json& levels, int width, int depth) {
         if (!levels.IsArray()) return;
