@@ -47,7 +47,7 @@ export function objectKinds(schema) {
       const followed = nodeAt(schema.definitions[name], name);
       return nodes.set(raw, followed).get(raw);
     }
-    if (kSaid[id] !== undefined) node.said = kSaid[id];
+    if (kSaid[id] !== undefined && !raw.additionalProperties?.$ref) node.said = kSaid[id];
     else if (raw.anyOf && !raw.properties) {
       for (const each of raw.anyOf) variants.set(each, raw);
       node.variants = raw.anyOf.map((each) => nodeAt(each, id));
