@@ -725,19 +725,22 @@ private:
         return array;
     }
 
-    // The keys that one of the ways to write an object needs; by chance, if there are several.
+    // The keys that one of the ways to write an object needs, by chance, if it has ways.
     const Json* alternative(const Json& schema) {
-        const Json* const ways = member(schema, "anyOf");
-        if (ways == nullptr) return nullptr;
-        return member((*ways)[static_cast<unsigned>(random_.below(static_cast<int>(ways->Size())))],
-                      "required");
+        const auto ways = alternatives(schema);
+        return ways[static_cast<std::size_t>(random_.below(int{ways.size()}))];
     }
     static bool isAlternative(const Json& schema, const Json& name) {
-        const Json* const ways = member(schema, "anyOf");
-        if (ways == nullptr) return false;
-        return std::any_of(ways->Begin(), ways->End(), [&](const Json& way) {
-            return isListed(member(way, "required"), name);
-        });
+        const auto ways = alternatives(schema);
+        return std::any_of(ways.begin(), ways.end(),
+                           [&](const Json* way) { return isListed(way, name); });
+    }
+    static std::array<const Json*, 2> alternatives(const Json& schema) {
+        const Json* const one = member(schema, "if");
+        const Json* const needed = one != nullptr ? member(*one, "required") : nullptr;
+        const Json* const other = member(schema, "else");
+        if (needed == nullptr || other == nullptr) return {};
+        return {needed, member(*other, "required")};
     }
 
     Json madeObject(const Json& schema, const std::string& about) {
