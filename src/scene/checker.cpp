@@ -1,4 +1,5 @@
 #include "scene/checker.h"
+#include "base/later_text.h"
 
 #include "base/sort.h"
 #include "scene/limits.h"
@@ -86,11 +87,31 @@ void Checker::addAtKey(JsonValue member, const Words& found, const Words& expect
     addAt(faults_, member.keyOffset(), &member, -1, -1, found, expected);
 }
 
+void Checker::add(JsonValue at, const char* found, const char* expected) {
+    add(at, Words(found), Words(expected));
+}
+
+void Checker::add(JsonValue at, const Words& found, const char* expected) {
+    add(at, found, Words(expected));
+}
+
+void Checker::addAtKey(JsonValue member, const char* found, const char* expected) {
+    addAtKey(member, Words(found), Words(expected));
+}
+
+void Checker::refuse(JsonValue value, const char* expected) {
+    refuse(value, Words(expected));
+}
+
+void Checker::warn(JsonValue at, const char* found, const char* expected) {
+    warn(at, Words(found), Words(expected));
+}
+
 void Checker::addSecondKey(JsonValue again, JsonValue first) {
     if (onlyCounts()) return;
     const TextPosition place = source_.place(first.keyOffset());
     addAtKey(again, {"the key ", quoted(again.key()), " a second time"},
-             {"each key once; the first is at line ", place.line, ", column ", place.column});
+             {"each key once; the first is at line "_later, place.line, ", column ", place.column});
 }
 
 void Checker::refuse(JsonValue value, const Words& expected) {
@@ -160,16 +181,17 @@ std::string Checker::shown(JsonValue value) const {
 }
 
 std::optional<Fields> Checker::fields(JsonValue value, std::span<const std::string_view> known,
-                                      const char* expected) {
+                                      LaterText expected) {
     if (!value.isObject()) {
-        refuse(value, expected);
+        refuse(value, wordsOf(expected));
         return std::nullopt;
     }
     Fields fields(*this, value);
     for (const JsonValue member : value) {
         if (member.key() == "comment") {
             if (!member.isText()) refuse(member, "a text");
-        } else if (std::find(known.begin(), known.end(), member.key()) != known.end()) {
+        } else if (member.key() == "data" ||
+                   std::find(known.begin(), known.end(), member.key()) != known.end()) {
             continue;
         } else if (!onlyCounts()) {
             const std::vector<std::string_view> keys(known.begin(), known.end());
@@ -232,6 +254,12 @@ std::optional<std::uint16_t> Checker::name(JsonValue value, const NameTable& nam
     return id;
 }
 
+void Checker::checkName(JsonValue member) {
+    if (member.key().empty() || countCharacters(member.key()) > kMaxNameLength)
+        addAtKey(member, {"the name ", quoted(member.key())},
+                 {"a name of 1 to ", kMaxNameLength, " characters"});
+}
+
 std::optional<Colour> Checker::colour(JsonValue value) {
     const std::string_view text = value.isText() ? value.text() : std::string_view();
     std::uint8_t channels[3] = {};
@@ -280,6 +308,12 @@ bool Fields::flag(const char* key, bool fallback) const {
 Colour Fields::colour(const char* key, Colour fallback) const {
     const FoundValue member = find(key);
     return member ? checker_->colour(*member).value_or(fallback) : fallback;
+}
+
+std::optional<std::uint16_t> Fields::mapOr(const NameTable& maps, int fallback) const {
+    const FoundValue member = find("map");
+    if (member) return checker_->name(*member, maps, "map");
+    return static_cast<std::uint16_t>(fallback);
 }
 
 }  // namespace slicecast

@@ -2,6 +2,7 @@
 // that fails reports its own fault, so that one pass over the tree finds all of them.
 #pragma once
 
+#include "base/later_text.h"
 #include "base/named.h"
 #include "base/words.h"
 #include "scene/json_tree.h"
@@ -50,15 +51,21 @@ public:
     // second time.
     void add(JsonValue at, const Words& found, const Words& expected);
     void addAtKey(JsonValue member, const Words& found, const Words& expected);
+    // The same with plain texts, which take less code at each call.
+    void add(JsonValue at, const char* found, const char* expected);
+    void add(JsonValue at, const Words& found, const char* expected);
+    void addAtKey(JsonValue member, const char* found, const char* expected);
     void addSecondKey(JsonValue again, JsonValue first);
     // The same; `found` is the value itself, as shown() puts it.
     void refuse(JsonValue value, const Words& expected);
+    void refuse(JsonValue value, const char* expected);
     // In a row of a grid: `row` and `character` count from 0 in the north and west.
     void addInRow(JsonValue text, int row, int character, const Words& found,
                   const Words& expected);
     void addSyntax(const SyntaxFault& fault);
     // For what loads, but is probably a mistake.
     void warn(JsonValue at, const Words& found, const Words& expected);
+    void warn(JsonValue at, const char* found, const char* expected);
     // One that is given to nobody yet.
     Fault faultAt(JsonValue at, const Words& found = "", const Words& expected = "") const;
 
@@ -70,12 +77,12 @@ public:
     // elements`.
     std::string shown(JsonValue value) const;
 
-    // The members of an object; `known` are its keys besides "comment". Reports unknown keys.
-    // Nothing if the value is no object, which is reported as not `expected`.
+    // The members of an object; `known` are its keys besides "comment" and "data". Reports unknown
+    // keys. Nothing if the value is no object, which is reported as not `expected`.
     std::optional<Fields> fields(JsonValue value, std::span<const std::string_view> known,
-                                 const char* expected);
+                                 LaterText expected);
     std::optional<Fields> fields(JsonValue value, std::initializer_list<std::string_view> known,
-                                 const char* expected);
+                                 LaterText expected);
 
     // Each of these reads a value. Reports a value of another kind or outside the range, and
     // returns nothing.
@@ -88,6 +95,8 @@ public:
     std::optional<std::uint16_t> name(JsonValue value, const NameTable& names, const char* what);
     // "#rrggbb"
     std::optional<Colour> colour(JsonValue value);
+    // The key of a member, which names it.
+    void checkName(JsonValue member);
 
 private:
     struct Placed {
@@ -128,6 +137,8 @@ public:
     int wholeNumber(const char* key, const NumberRange& range, int fallback) const;
     bool flag(const char* key, bool fallback) const;
     Colour colour(const char* key, Colour fallback) const;
+    // The number of the "map"; nothing for an unknown one.
+    std::optional<std::uint16_t> mapOr(const NameTable& maps, int fallback) const;
     // The value of a name of the table.
     template <typename Value, std::size_t count>
     Value choice(const char* key, const Named<Value> (&table)[count], Value fallback) const {
@@ -158,7 +169,7 @@ private:
 
 inline std::optional<Fields> Checker::fields(JsonValue value,
                                              std::initializer_list<std::string_view> known,
-                                             const char* expected) {
+                                             LaterText expected) {
     return fields(value, std::span(known.begin(), known.size()), expected);
 }
 

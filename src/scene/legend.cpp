@@ -1,4 +1,5 @@
 #include "scene/legend.h"
+#include "base/later_text.h"
 
 #include "scene/limits.h"
 
@@ -63,10 +64,11 @@ std::string Legend::characters() const {
     return words(list, "'.' or a space");
 }
 
-void readLegend(Checker& checker, JsonValue value, const NameTable& names, const char* what,
+void readLegend(Checker& checker, JsonValue value, const NameTable* names, const char* what,
                 Legend& legend) {
     if (!value.isObject()) {
-        checker.refuse(value, {"a legend: an object with a ", what, "'s name for each character"});
+        checker.refuse(
+            value, {"a legend: an object with a "_later, what, "'s name for each character"_later});
         legend.takeAny();
         return;
     }
@@ -76,6 +78,7 @@ void readLegend(Checker& checker, JsonValue value, const NameTable& names, const
         legend.takeAny();
         return;
     }
+    std::uint16_t number = 0;
     for (const JsonValue member : value) {
         const std::string_view key = member.key();
         std::size_t end = 0;
@@ -84,14 +87,14 @@ void readLegend(Checker& checker, JsonValue value, const NameTable& names, const
         const bool isReserved = key == "." || key == " ";
         if (isReserved) {
             checker.addAtKey(member, {"the key ", quoted(key)},
-                             "another character: '.' and the space already have a meaning");
+                             "another character: '.' and the space already have a meaning"_later);
         } else if (isSingle && !isPrintableSign(first)) {
             checker.addAtKey(member, {"a key that is ", shownSign(first)},
-                             "a single visible character");
+                             "a single visible character"_later);
         } else if (!isSingle) {
-            checker.addAtKey(member, {"the key ", quoted(key)}, "a single visible character");
+            checker.addAtKey(member, {"the key ", quoted(key)}, "a single visible character"_later);
         }
-        const std::uint16_t id = checker.name(member, names, what).value_or(0);
+        const std::uint16_t id = names ? checker.name(member, *names, what).value_or(0) : number++;
         // Signs of faulty entries count as known, so that their uses in grids are not reported too.
         std::size_t offset = 0;
         for (std::size_t taken = 0; offset < key.size() && taken < kMaxNameLength && !isReserved;
@@ -103,7 +106,7 @@ void readLegend(Checker& checker, JsonValue value, const NameTable& names, const
 }
 
 void readRow(Checker& checker, JsonValue value, int row, int width, const Legend& legend,
-             std::vector<std::uint16_t>& ids) {
+             std::vector<std::uint16_t>& ids, bool spacesKeep) {
     const std::string_view text = value.text();
     std::vector<std::string_view> reported;
     std::size_t offset = 0;
@@ -112,19 +115,28 @@ void readRow(Checker& checker, JsonValue value, int row, int width, const Legend
         const std::string_view sign = takeSign(text, offset);
         const std::optional<std::uint16_t> id = legend.find(sign);
         if (id) {
-            if (x < width) ids[static_cast<std::size_t>(x)] = *id;
+            if (x < width && !(spacesKeep && sign == " ")) ids[static_cast<std::size_t>(x)] = *id;
         } else if (reported.size() < kMostReportedPerRow &&
                    std::find(reported.begin(), reported.end(), sign) == reported.end()) {
             // Once per row, or a sign that the legend lacks would fill the list.
             reported.push_back(sign);
             checker.addInRow(value, row, x, shownSign(sign),
-                             {"a character of the legend: ", legend.characters()});
+                             {"a character of the legend: "_later, legend.characters()});
         }
     }
     if (x != width) {
         checker.addInRow(value, row, std::min(x, width), {"a row of ", Counted{x, "character"}},
-                         {Counted{width, "character"}, ", as in the other rows"});
+                         {Counted{width, "character"}, ", as in the other rows"_later});
     }
+}
+
+__attribute__((noinline)) std::uint16_t readSign(Checker& checker, JsonValue value,
+                                                 const Legend& legend) {
+    if (value.isText()) {
+        if (const auto id = legend.find(value.text())) return *id;
+    }
+    checker.refuse(value, {"a character of the legend: "_later, legend.characters()});
+    return 0;
 }
 
 }  // namespace slicecast

@@ -49,8 +49,9 @@ private:
 };
 
 // Adds the members of a legend object, whose values are names out of `names`; `what` says of what:
-// "blueprint" or "texture". Characters defined before get their new meaning.
-void readLegend(Checker& checker, JsonValue value, const NameTable& names, const char* what,
+// "blueprint" or "texture". Characters defined before get their new meaning. Without `names`, a
+// member's number counts the members before it, and its value is not looked at.
+void readLegend(Checker& checker, JsonValue value, const NameTable* names, const char* what,
                 Legend& legend);
 
 // The number of tiles of a grid.
@@ -60,8 +61,12 @@ struct GridSize {
 };
 
 // Writes the number of each sign of a row to `ids`. Reports signs that the legend lacks, whose
-// entries stay as they are, and rows that are not `width` signs long.
+// entries stay as they are, and rows that are not `width` signs long. With `spacesKeep`, the
+// entries of spaces stay as well.
 void readRow(Checker& checker, JsonValue value, int row, int width, const Legend& legend,
-             std::vector<std::uint16_t>& ids);
+             std::vector<std::uint16_t>& ids, bool spacesKeep = false);
+
+// The number of a text that is one sign of the legend. Reports what it is else, and returns 0.
+std::uint16_t readSign(Checker& checker, JsonValue value, const Legend& legend);
 
 }  // namespace slicecast

@@ -5,12 +5,14 @@
 // is that of their texels. See tests/scene/costs_test.cpp.
 //
 //     text        bytes * log2(kMaxSceneValues)          reading it; keys and names are looked up
-//     cells       bytes * kMaxLevels                     the cells of all maps, of which empty levels
+//     filled      bytes, or kMaxFilledCells              the cells that rows and fills set, and at
+//                                                        least those of one level of each map
+//     cells       filled * kMaxLevels                    the cells of all maps, of which empty levels
 //                                                        take no text
-//     blocks      bytes                                  what stands in a cell is looked at a few
+//     blocks      filled                                 what stands in a cell is looked at a few
 //                                                        times: movers, gates, room, entries
 //     movers      kMaxMoverParts + kMaxMovingCells       parts, and the cells that they reach
-//     sowing      bytes * kMaxSowings                    each kind looks at all tiles
+//     sowing      filled * kMaxSowings                   each kind looks at all tiles
 //     areas       kMaxNotices * kMaxMapWidth             see rooms.h
 //     portals     kMaxPortals * kMaxPortalWays
 //     legends     kMaxMaps * kMaxLegend
@@ -36,6 +38,7 @@ inline constexpr std::size_t kMaxPathLength = 1000;    // characters of a file's
 inline constexpr std::size_t kMaxTitleLength = 200;    // characters
 inline constexpr std::size_t kMaxMessageLength = 300;  // characters
 inline constexpr std::size_t kMaxPathPoints = 64;      // of an object that patrols
+inline constexpr std::size_t kMaxPlaces = 4096;        // named places of one map
 inline constexpr std::size_t kMaxLegend = 4096;        // characters of one legend
 inline constexpr int kMaxSowings =
     32;  // kinds of objects sown over one map: each looks at all of its tiles
@@ -45,6 +48,9 @@ inline constexpr int kMaxPlainTextures =
     2048;  // textures that are a colour: 15 characters of text make 22 KB of texels
 inline constexpr std::size_t kMaxFaults = 1000;            // faults listed; more do not help
 inline constexpr std::int64_t kMaxSceneCells = kMaxCells;  // of all maps together
+inline constexpr std::int64_t kMaxFilledCells =
+    250'000;  // cells that rows and fills set, of all maps together; more if the text has more
+              // bytes, so that only what fills and repeats is bound by it
 inline constexpr std::int64_t kMaxSceneTexels =
     64 << 20;  // of all images together, a panorama counted for each map that shows it: 600 MB with
                // the levels of detail

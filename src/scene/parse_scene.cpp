@@ -1,3 +1,4 @@
+#include "base/later_text.h"
 #include "base/name_index.h"
 #include "base/task_list.h"
 #include "scene/limits.h"
@@ -82,8 +83,8 @@ void SceneParser::Work::readText() {
     if (source.invalidByte()) {
         const bool isUtf16 = text.substr(0, 2) == "\xff\xfe" || text.substr(0, 2) == "\xfe\xff";
         checker.addSyntax({*source.invalidByte(),
-                           isUtf16 ? "a text in UTF-16" : "bytes that are not UTF-8",
-                           "a text file saved as UTF-8"});
+                           isUtf16 ? "a text in UTF-16" : "bytes that are not UTF-8"_later,
+                           "a text file saved as UTF-8"_later});
         return;
     }
     json = parseJson(source);
@@ -96,11 +97,11 @@ void SceneParser::Work::readText() {
 // Tree to description. Reads every part of the tree, even after faults in earlier ones.
 void SceneParser::Work::readScene() {
     for (const auto& [again, first] : json.tree.duplicateKeys()) checker.addSecondKey(again, first);
-    fields =
-        checker.fields(json.tree.root(),
-                       {"$schema", "title", "textures", "sprites", "motions", "blueprints",
-                        "legend", "maps", "portalLimit", "game", "start"},
-                       "a scene: an object with \"title\", \"textures\", \"maps\" and \"start\"");
+    fields = checker.fields(
+        json.tree.root(),
+        {"$schema", "title", "textures", "sprites", "motions", "blueprints", "legend", "maps",
+         "portalLimit", "game", "start"},
+        "a scene: an object with \"title\", \"textures\", \"maps\" and \"start\""_onFault);
     if (!fields) return;
     if (const auto schema = fields->find("$schema"))
         checker.text(*schema, kMaxPathLength, "the address of the schema");
@@ -124,7 +125,7 @@ void SceneParser::Work::readNames() {
     if (const auto motions = fields->find("motions")) readMotions(reading, *motions);
     if (const auto blueprints = fields->find("blueprints")) readBlueprints(reading, *blueprints);
     if (const auto own = fields->find("legend"))
-        readLegend(checker, *own, reading.blueprints, "blueprint", reading.legend);
+        readLegend(checker, *own, &reading.blueprints, "blueprint", reading.legend);
     reading.areBlueprintsSound = checker.count() == faultsBefore;
 }
 
@@ -167,11 +168,15 @@ void SceneParser::Work::readGame() {
 
 void SceneParser::Work::findMistakes() {
     if (checker.count() == 0) findHiddenThings(reading);
+    for (const Places& each : reading.places) {
+        for (const NamedPlace& place : each.places)
+            if (!place.isUsed) reading.addAim(Aim::What::place, place.value, 0);
+    }
     const std::vector<Map>& maps = description->world.maps;
     if (reading.lamp &&
         std::none_of(maps.begin(), maps.end(), [](const Map& map) { return map.baked.on; }))
-        checker.warn(*reading.lamp, "a lamp, but no map with \"baked\": it does not shine",
-                     "\"baked\" in its map");
+        checker.warn(*reading.lamp, "a lamp, but no map with \"baked\": it does not shine"_later,
+                     "\"baked\" in its map"_later);
 }
 
 void SceneParser::Work::finish() {

@@ -1,5 +1,6 @@
 // Gives moving blocks and gates their own blueprints once all maps are complete, and checks that
 // they have room.
+#include "base/later_text.h"
 #include "scene/readers.h"
 #include "world/gate.h"
 #include "world/mover.h"
@@ -17,15 +18,27 @@ JsonValue elementOf(JsonValue array, int index) {
     return *element;
 }
 
-// At the cell's character in its row.
+// Whether a row leaves the tile to what fills its level.
+__attribute__((noinline)) bool keeps(JsonValue row, int x) {
+    std::size_t offset = 0;
+    for (int i = 0; i < x; ++i) takeSign(row.text(), offset);
+    return row.text()[offset] == ' ';
+}
+
+// At the cell's character in its row, or at what fills its level.
 void addFault(Reading& reading, const PlacingFault& fault) {
-    const JsonValue map = reading.mapValues[static_cast<std::size_t>(fault.map)];
-    const auto levels = map.find("levels");
-    if (!levels) return;
-    const JsonValue rows = elementOf(*levels, fault.level);
-    if (rows.count() == 0) return reading.checker.add(rows, fault.found, fault.expected);
-    reading.checker.addInRow(elementOf(rows, fault.y), fault.y, fault.x, fault.found,
-                             fault.expected);
+    const JsonValue level =
+        reading.levels[static_cast<std::size_t>(fault.map)][static_cast<std::size_t>(fault.level)];
+    const FoundValue rows = level.isArray() ? level : level.find("rows");
+    if (rows && rows->count() > 0) {
+        const JsonValue row = elementOf(*rows, fault.y);
+        if (level.isArray() || !keeps(row, fault.x))
+            return reading.checker.addInRow(row, fault.y, fault.x, fault.found, fault.expected);
+    }
+    if (level.isArray()) return reading.checker.add(level, fault.found, fault.expected);
+    reading.checker.add(*level.find("fill"),
+                        {fault.found, " at x ", fault.x, ", y ", fault.y, ", level ", fault.level},
+                        fault.expected);
 }
 
 // Each frame of a sheet that a gate shows becomes a texture.
@@ -45,10 +58,10 @@ void checkGateFrames(Reading& reading) {
             textures += static_cast<std::size_t>(texture.frames - 1);
     }
     if (textures <= static_cast<std::size_t>(kMaxTextures)) return;
-    reading.checker.add(
-        *reading.mapList,
-        {Counted{static_cast<std::int64_t>(textures), "texture"}, ", counting the frames of gates"},
-        {"at most ", kMaxTextures});
+    reading.checker.add(*reading.mapList,
+                        {Counted{static_cast<std::int64_t>(textures), "texture"},
+                         ", counting the frames of gates"_later},
+                        {"at most ", kMaxTextures});
 }
 
 // A gate that follows one that stands nowhere waits for ever.
@@ -63,8 +76,8 @@ void warnOfMissingGates(Reading& reading) {
             continue;
         reading.checker.warn(
             followed.name,
-            {"the gate ", quoted(world.blueprints[*id].name), ", which stands in no map"},
-            "a gate that a player can open, or that opens by itself");
+            {"the gate ", quoted(world.blueprints[*id].name), ", which stands in no map"_later},
+            "a gate that a player can open, or that opens by itself"_later);
     }
 }
 

@@ -1,5 +1,6 @@
 // Sows objects and checks that moving ones have room, once all maps, portals and the start are
 // known; and finds what is hidden in blocks.
+#include "base/later_text.h"
 #include "scene/limits.h"
 #include "scene/readers.h"
 #include "world/collision.h"
@@ -29,9 +30,9 @@ void checkRoom(Reading& reading, const PlacedMotion& placed) {
     object.y = begins.y;
     if (isFree(world, motion.map, objectBody(object))) return;
     reading.checker.add(placed.value,
-                        {"a moving object that starts at z ", Shortest{object.z.value()},
-                         " inside something solid, or outside the map"},
-                        "free room for its body: as high as the object and at most 0.4 wide");
+                        {"a moving object that starts at z "_later, Shortest{object.z.value()},
+                         " inside something solid, or outside the map"_later},
+                        "free room for its body: as high as the object and at most 0.4 wide"_later);
 }
 
 void refuse(Reading& reading, JsonValue value, Sown sown) {
@@ -41,7 +42,7 @@ void refuse(Reading& reading, JsonValue value, Sown sown) {
     const char* noun = sown == Sown::tooMany        ? " objects"
                        : sown == Sown::tooManyFinds ? " finds"
                                                     : " moving objects";
-    reading.checker.add(value, {"more than ", most, noun, ", counting those before"},
+    reading.checker.add(value, {"more than ", most, noun, ", counting those before"_later},
                         {"at most ", most, " in a scene"});
 }
 
@@ -78,10 +79,10 @@ bool Placing::takeLevels(JsonValue value, std::size_t first, std::size_t end) {
     }
     if (levels <= kMaxMovingLevels) return true;
     reading.checker.add(value,
-                        {"moving objects that reach into more than ", kMaxMovingLevels,
-                         " levels, counting those before"},
+                        {"moving objects that reach into more than "_later, kMaxMovingLevels,
+                         " levels, counting those before"_later},
                         {"at most ", kMaxMovingLevels,
-                         " in a scene: each counts as two for each unit of its height"});
+                         " in a scene: each counts as two for each unit of its height"_later});
     isOver = true;
     return false;
 }
@@ -131,8 +132,8 @@ bool Placing::sowSome(std::size_t number) {
     if (!order.sowing.find) return false;
     const std::size_t count = world.quest.finds.size() - findsBefore;
     if (count == 0) {
-        reading.checker.warn(order.value, "a find that is sown nowhere",
-                             "more density, or ground where it has room");
+        reading.checker.warn(order.value, "a find that is sown nowhere"_later,
+                             "more density, or ground where it has room"_later);
     } else {
         reading.addAim(Aim::What::finds, order.value, findsBefore, count);
     }

@@ -1,5 +1,6 @@
 // Chooses for each place which of a texture's variants it shows. Comes last: before, a block and a
 // tile are what the text says.
+#include "base/later_text.h"
 #include "scene/readers.h"
 #include "world/variants.h"
 
@@ -83,8 +84,8 @@ void placeVariants(Reading& reading) {
     pictures.resize(world.textures.size());
     if (!makeVariants(world, pictures)) {
         reading.checker.add(*reading.variants,
-                            {"variants that make more than ", kMaxBlueprints, " blueprints"},
-                            "fewer blueprints or variants");
+                            {"variants that make more than "_later, kMaxBlueprints, " blueprints"},
+                            "fewer blueprints or variants"_later);
         return;
     }
     for (Map& map : world.maps) {

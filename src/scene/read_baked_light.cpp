@@ -1,4 +1,5 @@
 // Baked light: the sun, the ambient light and lamps.
+#include "base/later_text.h"
 #include "scene/limits.h"
 #include "scene/readers.h"
 
@@ -22,7 +23,7 @@ constexpr Colour kSunlight = {255, 244, 224, 255};
 void readSun(Reading& reading, JsonValue value, BakedLight& baked) {
     const auto fields =
         reading.checker.fields(value, {"azimuth", "altitude", "colour"},
-                               "an object such as { \"azimuth\": 225, \"altitude\": 40 }");
+                               "an object such as { \"azimuth\": 225, \"altitude\": 40 }"_onFault);
     if (!fields) return;
     baked.azimuth = fields->number("azimuth", kHeadingRange, 225.0);
     baked.altitude = fields->number("altitude", kAltitude, 45.0);
@@ -42,7 +43,7 @@ void readLamps(Reading& reading, JsonValue value, bool hasSize, Map& map) {
     }
     for (const JsonValue element : value) {
         const auto fields = checker.fields(element, {"x", "y", "z", "colour", "strength", "radius"},
-                                           "a lamp: an object with \"x\", \"y\" and \"z\"");
+                                           "a lamp: an object with \"x\", \"y\" and \"z\""_onFault);
         if (!fields) continue;
         const std::size_t faultsBefore = checker.count();
         for (const char* key : {"x", "y"}) fields->require(key, kOnMapRange.words);
@@ -53,7 +54,7 @@ void readLamps(Reading& reading, JsonValue value, bool hasSize, Map& map) {
                            readLampKind(*fields)};
         if (checker.count() == faultsBefore && hasSize &&
             !map.contains(lamp.x.tile(), lamp.y.tile())) {
-            checker.add(element, "a lamp outside the map",
+            checker.add(element, "a lamp outside the map"_later,
                         {"x below ", map.width, " and y below ", map.depth});
         }
         map.baked.lamps.push_back(lamp);
@@ -73,9 +74,9 @@ LampKind readLampKind(const Fields& fields) {
 }
 
 LampId readLamp(Reading& reading, JsonValue value) {
-    const auto fields =
-        reading.checker.fields(value, {"colour", "strength", "radius"},
-                               "an object such as { \"colour\": \"#ffc070\", \"radius\": 4 }");
+    const auto fields = reading.checker.fields(
+        value, {"colour", "strength", "radius"},
+        "an object such as { \"colour\": \"#ffc070\", \"radius\": 4 }"_onFault);
     if (!fields) return kNoLamp;
     if (!reading.lamp) reading.lamp = value;
     const LampKind kind = readLampKind(*fields);
@@ -91,7 +92,7 @@ LampId readLamp(Reading& reading, JsonValue value) {
     if (place != sorted.end() && kinds[*place] == kind) return *place;
     if (kinds.size() == kNoLamp) {
         reading.checker.add(value, {"more than ", std::int64_t{kNoLamp}, " kinds of lamp"},
-                            "fewer; lamps with equal values are of one kind");
+                            "fewer; lamps with equal values are of one kind"_later);
         return kNoLamp;
     }
     const auto id = static_cast<LampId>(kinds.size());
@@ -101,8 +102,9 @@ LampId readLamp(Reading& reading, JsonValue value) {
 }
 
 void readBakedLight(Reading& reading, JsonValue value, bool hasSize, Map& map) {
-    const auto fields = reading.checker.fields(value, {"sun", "ambient", "lamps"},
-                                               "an object with \"sun\", \"ambient\" and \"lamps\"");
+    const auto fields =
+        reading.checker.fields(value, {"sun", "ambient", "lamps"},
+                               "an object with \"sun\", \"ambient\" and \"lamps\""_onFault);
     if (!fields) return;
     map.baked.on = true;
     if (const auto sun = fields->find("sun")) readSun(reading, *sun, map.baked);

@@ -1,3 +1,4 @@
+#include "base/later_text.h"
 #include "scene/limits.h"
 #include "scene/readers.h"
 
@@ -39,7 +40,7 @@ FaceBlueprint readFace(Reading& reading, JsonValue value, bool isRoof) {
     face.texture = 0;
     const auto fields = reading.checker.fields(
         value, {"texture", "light", "glow", "mirror", "ripples", "lamp"},
-        "a texture's name, or an object with \"texture\", \"light\" and \"glow\"");
+        "a texture's name, or an object with \"texture\", \"light\" and \"glow\""_onFault);
     if (!fields) return face;
     if (const auto texture = fields->require("texture", "the name of a texture")) {
         face.texture = reading.checker.name(*texture, reading.textures, "texture").value_or(0);
@@ -51,8 +52,8 @@ FaceBlueprint readFace(Reading& reading, JsonValue value, bool isRoof) {
     face.ripples = mirrored.ripples;
     if (const auto lamp = fields->find("lamp")) face.lamp = readLamp(reading, *lamp);
     if (const auto mirror = fields->find("mirror"); mirror && !isRoof) {
-        reading.checker.addAtKey(*mirror, "a mirror on a side or an underside",
-                                 "\"mirror\" on \"top\" or \"all\": only roofs reflect");
+        reading.checker.addAtKey(*mirror, "a mirror on a side or an underside"_later,
+                                 "\"mirror\" on \"top\" or \"all\": only roofs reflect"_later);
     }
     return face;
 }
@@ -69,7 +70,7 @@ void readFaces(Reading& reading, JsonValue value, CellBlueprint& blueprint) {
     const Half half = blueprint.plan.half;
     if (half != Half::none) keys.emplace_back(kDiagonal);
     const auto fields = reading.checker.fields(
-        value, keys, "a texture's name, or an object with textures for the faces");
+        value, keys, "a texture's name, or an object with textures for the faces"_onFault);
     if (!fields) return;
     for (const FaceKey& faceKey : kFaceKeys) {
         const auto member = fields->find(faceKey.key);
@@ -98,7 +99,7 @@ void readFaces(Reading& reading, JsonValue value, CellBlueprint& blueprint) {
     }
     if (!missing.empty() && !blueprint.isWater) {
         reading.checker.add(value, {"no texture for ", missing},
-                            "a texture for each of the six faces, for example with \"all\"");
+                            "a texture for each of the six faces, for example with \"all\""_later);
     }
 }
 
@@ -106,8 +107,8 @@ void readFaces(Reading& reading, JsonValue value, CellBlueprint& blueprint) {
 void readWater(Reading& reading, JsonValue value, CellBlueprint& blueprint) {
     blueprint.isWater = value.kind() != JsonValue::Kind::boolean || value.boolean();
     if (value.kind() == JsonValue::Kind::boolean) return;
-    const auto fields = reading.checker.fields(value, {"colour", "sight"},
-                                               "true, or an object with \"colour\" and \"sight\"");
+    const auto fields = reading.checker.fields(
+        value, {"colour", "sight"}, "true, or an object with \"colour\" and \"sight\""_onFault);
     if (!fields) return;
     blueprint.waterColour = fields->colour("colour", kWaterColour);
     blueprint.waterSight = fields->number("sight", kSight, kWaterSight);
@@ -131,8 +132,8 @@ Plan readPlan(Reading& reading, JsonValue value) {
             edges[next] - edges[next - 2] < kThinnest) {
             const bool isEast = next == 2;
             checker.add(edge, {checker.shown(edge), " for ", isEast ? "\"east\"" : "\"south\""},
-                        {"at least 1/16 more than ", isEast ? "\"west\"" : "\"north\"",
-                         ": the edges are [west, north, east, south]"});
+                        {"at least 1/16 more than "_later, isEast ? "\"west\"" : "\"north\"",
+                         ": the edges are [west, north, east, south]"_later});
         }
         ++next;
     }
@@ -155,7 +156,8 @@ Heights readHeights(Reading& reading, const Fields& fields, const char* key, dou
         return {{height, height}, false};
     }
     if (member->count() != 2) {
-        reading.checker.refuse(*member, "a number from 0 to 1, or the two heights of a slope");
+        reading.checker.refuse(*member,
+                               "a number from 0 to 1, or the two heights of a slope"_later);
         return {};
     }
     Heights read = {{}, true};
@@ -178,18 +180,18 @@ void readShape(Reading& reading, JsonValue value, const Fields& fields, CellBlue
     if (checker.count() != faultsBefore) return;
     const bool isList = hasBottomSlope || hasTopSlope;
     if (isList && !rise) {
-        checker.add(value, "a slope that rises towards no side",
-                    "\"rise\": \"north\", \"east\", \"south\" or \"west\"");
+        checker.add(value, "a slope that rises towards no side"_later,
+                    "\"rise\": \"north\", \"east\", \"south\" or \"west\""_later);
     } else if (rise && !isList) {
-        checker.addAtKey(*rise, "\"rise\" without two heights",
-                         "\"top\" or \"bottom\" with two heights, as in \"top\": [0, 1]");
+        checker.addAtKey(*rise, "\"rise\" without two heights"_later,
+                         "\"top\" or \"bottom\" with two heights, as in \"top\": [0, 1]"_later);
     }
     const auto given = fields.find("top") ? fields.find("top") : fields.find("bottom");
     if (bottom.from > top.from || bottom.to > top.to ||
         (bottom.from == top.from && bottom.to == top.to)) {
-        checker.add(*given, "a \"top\" that is not above \"bottom\"",
-                    isList ? "\"top\" nowhere below \"bottom\", and above it at one edge"
-                           : "\"top\" above \"bottom\", by at least 1/65536");
+        checker.add(*given, "a \"top\" that is not above \"bottom\""_later,
+                    isList ? "\"top\" nowhere below \"bottom\", and above it at one edge"_later
+                           : "\"top\" above \"bottom\", by at least 1/65536"_later);
     }
     blueprint.bottom = bottom.least();
     blueprint.top = top.most();
@@ -200,13 +202,14 @@ void readShape(Reading& reading, JsonValue value, const Fields& fields, CellBlue
 void checkSlopes(Reading& reading, const Fields& fields, const CellBlueprint& blueprint) {
     if (!blueprint.slopes.any()) return;
     if (const auto water = fields.find("water"); water && blueprint.isWater)
-        reading.checker.add(*water, "water with slopes", "\"rise\" or \"water\", not both");
+        reading.checker.add(*water, "water with slopes", "\"rise\" or \"water\", not both"_later);
     if (const auto diagonal = fields.find("diagonal"))
-        reading.checker.add(*diagonal, "a half of a tile with slopes",
-                            "\"rise\" or \"diagonal\", not both");
+        reading.checker.add(*diagonal, "a half of a tile with slopes"_later,
+                            "\"rise\" or \"diagonal\", not both"_later);
     const auto faces = fields.find("faces");
     if (faces && !blueprint.slopes.top.isLevel() && blueprint.face(Face::top).mirror > 0)
-        reading.checker.add(*faces, "a mirror on a slope", "a level \"top\", or no \"mirror\"");
+        reading.checker.add(*faces, "a mirror on a slope",
+                            "a level \"top\", or no \"mirror\""_later);
 }
 
 CellBlueprint readBlueprint(Reading& reading, JsonValue value) {
@@ -215,24 +218,24 @@ CellBlueprint readBlueprint(Reading& reading, JsonValue value) {
     const auto fields = reading.checker.fields(
         value,
         {"bottom", "top", "rise", "plan", "diagonal", "water", "faces", "join", "motion", "gate"},
-        "a blueprint: an object with \"faces\"");
+        "a blueprint: an object with \"faces\""_onFault);
     if (!fields) return blueprint;
     const std::size_t faultsBefore = reading.checker.count();
     readShape(reading, value, *fields, blueprint);
     if (const auto plan = fields->find("plan")) blueprint.plan = readPlan(reading, *plan);
     blueprint.plan.half = fields->choice("diagonal", kHalves, Half::none);
     if (const auto diagonal = fields->find("diagonal"); diagonal && fields->find("plan")) {
-        reading.checker.add(*diagonal, "a half of a part of a tile",
-                            "\"plan\" or \"diagonal\", not both");
+        reading.checker.add(*diagonal, "a half of a part of a tile"_later,
+                            "\"plan\" or \"diagonal\", not both"_later);
     }
     blueprint.join = fields->flag("join", true);
     if (const auto water = fields->find("water")) {
         readWater(reading, *water, blueprint);
         if (blueprint.isWater && !blueprint.plan.isWhole())
-            reading.checker.add(*water, "water that fills a part of its tile",
+            reading.checker.add(*water, "water that fills a part of its tile"_later,
                                 blueprint.plan.half == Half::none
-                                    ? "\"plan\" or \"water\", not both"
-                                    : "\"diagonal\" or \"water\", not both");
+                                    ? "\"plan\" or \"water\", not both"_later
+                                    : "\"diagonal\" or \"water\", not both"_later);
     }
     if (const auto faces = fields->require("faces", "the textures of the faces"))
         readFaces(reading, *faces, blueprint);
@@ -242,8 +245,8 @@ CellBlueprint readBlueprint(Reading& reading, JsonValue value) {
         std::any_of(blueprint.faces.begin(), blueprint.faces.end(),
                     [](const FaceBlueprint& face) { return face.lamp != kNoLamp; });
     if (hasLamp && blueprint.motion >= 0) {
-        reading.checker.add(*fields->find("faces"), "a lamp on a block that moves",
-                            "\"lamp\" or \"motion\", not both: lamps stand still");
+        reading.checker.add(*fields->find("faces"), "a lamp on a block that moves"_later,
+                            "\"lamp\" or \"motion\", not both: lamps stand still"_later);
     }
     if (const auto gate = fields->find("gate")) {
         blueprint.gate = readGate(reading, *gate);
@@ -260,7 +263,7 @@ CellBlueprint readBlueprint(Reading& reading, JsonValue value) {
 void readBlueprints(Reading& reading, JsonValue value) {
     Checker& checker = reading.checker;
     if (!value.isObject()) {
-        checker.refuse(value, "the blueprints: an object with a blueprint for each name");
+        checker.refuse(value, "the blueprints: an object with a blueprint for each name"_later);
         reading.blueprints.takeAny();
         return;
     }
@@ -272,10 +275,7 @@ void readBlueprints(Reading& reading, JsonValue value) {
     }
     std::vector<CellBlueprint>& blueprints = reading.description.world.blueprints;
     for (const JsonValue member : value) {
-        if (member.key().empty() || countCharacters(member.key()) > kMaxNameLength) {
-            checker.addAtKey(member, {"the name ", quoted(member.key())},
-                             {"a name of 1 to ", kMaxNameLength, " characters"});
-        }
+        checker.checkName(member);
         reading.blueprints.add(member.key(), static_cast<BlueprintId>(blueprints.size()));
         reading.addAim(Aim::What::block, member, blueprints.size());
         blueprints.push_back(readBlueprint(reading, member));

@@ -1,4 +1,5 @@
 // Gates of blueprints, and which motions they, and moving blocks, may have.
+#include "base/later_text.h"
 #include "base/number_text.h"
 #include "scene/limits.h"
 #include "scene/readers.h"
@@ -28,7 +29,7 @@ void readFollowed(Reading& reading, JsonValue value, int kind) {
         return;
     }
     if (!value.isArray() || value.count() == 0) {
-        reading.checker.refuse(value, "the name of a gate's blueprint, or a list of names");
+        reading.checker.refuse(value, "the name of a gate's blueprint, or a list of names"_later);
         return;
     }
     for (const JsonValue name : value) reading.followed.push_back({name, kind});
@@ -40,10 +41,10 @@ void readLock(Reading& reading, const Fields& fields, GateKind& kind) {
     const auto needs = fields.find("needs");
     if (needs) {
         reading.needs.push_back(
-            {*needs, static_cast<int>(reading.description.world.gateKinds.size())});
+            {*needs, PlacedNeeds::Of::gate, reading.description.world.gateKinds.size()});
         if (kind.startsOpen)
-            checker.add(*needs, "a gate that starts open and needs finds",
-                        "\"needs\" of a gate that starts closed");
+            checker.add(*needs, "a gate that starts open and needs finds"_later,
+                        "\"needs\" of a gate that starts closed"_later);
     }
     const auto locked = fields.find("locked");
     if (!locked) return;
@@ -52,8 +53,8 @@ void readLock(Reading& reading, const Fields& fields, GateKind& kind) {
                             {"a message of 1 to ", kMaxMessageLength, " characters"})
                       .value_or("");
     if (!needs)
-        checker.addAtKey(*locked, "a message of a gate that needs nothing",
-                         "\"locked\" together with \"needs\"");
+        checker.addAtKey(*locked, "a message of a gate that needs nothing"_later,
+                         "\"locked\" together with \"needs\""_later);
 }
 
 }  // namespace
@@ -68,7 +69,7 @@ int readGate(Reading& reading, JsonValue value) {
     const auto fields = checker.fields(value,
                                        {"seconds", "reach", "keyed", "approach", "hold", "every",
                                         "once", "follows", "open", "needs", "locked"},
-                                       "a gate: an object, which may be {}");
+                                       "a gate: an object, which may be {}"_onFault);
     if (fields) {
         const auto followed = fields->find("follows");
         kind.steps = std::max(1, stepsOf(fields->number("seconds", kOpening, 0.8)));
@@ -84,12 +85,12 @@ int readGate(Reading& reading, JsonValue value) {
         readLock(reading, *fields, kind);
         if (followed) readFollowed(reading, *followed, number);
         if (!kind.keyed && !kind.opensOnApproach && kind.everySteps == 0 && !followed)
-            checker.add(value, "a gate that nothing opens",
-                        "\"keyed\": true, \"approach\", \"every\" or \"follows\"");
+            checker.add(value, "a gate that nothing opens"_later,
+                        "\"keyed\": true, \"approach\", \"every\" or \"follows\""_later);
         const auto once = fields->find("once");
         if (once && kind.once && kind.startsOpen)
-            checker.addAtKey(*once, "a gate that is open for ever",
-                             "\"once\" or \"open\", not both");
+            checker.addAtKey(*once, "a gate that is open for ever"_later,
+                             "\"once\" or \"open\", not both"_later);
     }
     reading.addAim(Aim::What::gates, value, kinds.size());
     kinds.push_back(kind);
@@ -104,13 +105,13 @@ void findFollowedGates(Reading& reading) {
         if (!id || *id >= world.blueprints.size()) continue;
         const int gate = world.blueprints[*id].gate;
         if (gate < 0) {
-            reading.checker.add(
-                followed.name,
-                {"the blueprint ", quoted(world.blueprints[*id].name), ", which has no \"gate\""},
-                "the name of a gate's blueprint");
+            reading.checker.add(followed.name,
+                                {"the blueprint ", quoted(world.blueprints[*id].name),
+                                 ", which has no \"gate\""_later},
+                                "the name of a gate's blueprint"_later);
         } else if (gate == followed.kind) {
-            reading.checker.add(followed.name, "a gate that follows itself",
-                                "the name of another gate's blueprint");
+            reading.checker.add(followed.name, "a gate that follows itself"_later,
+                                "the name of another gate's blueprint"_later);
         } else if (std::exchange(lastFollower[static_cast<std::size_t>(gate)], followed.kind) !=
                    followed.kind) {
             world.gateKinds[static_cast<std::size_t>(followed.kind)].follows.push_back(gate);
@@ -121,7 +122,8 @@ void findFollowedGates(Reading& reading) {
 // Checks that a gate fits its blueprint.
 void checkGate(Reading& reading, JsonValue value, const CellBlueprint& blueprint) {
     if (blueprint.isWater)
-        reading.checker.add(value, "a gate that is water", "\"gate\" or \"water\", not both");
+        reading.checker.add(value, "a gate that is water"_later,
+                            "\"gate\" or \"water\", not both"_later);
     const bool isSeen =
         std::any_of(blueprint.faces.begin(), blueprint.faces.end(), [&](const FaceBlueprint& face) {
             // With faulty textures, this one may be right.
@@ -130,9 +132,9 @@ void checkGate(Reading& reading, JsonValue value, const CellBlueprint& blueprint
             return texture.frames > 1 && texture.rate == 0.0;
         });
     if (!isSeen && blueprint.motion < 0) {
-        reading.checker.add(value, "a gate that looks the same open and shut",
+        reading.checker.add(value, "a gate that looks the same open and shut"_later,
                             "a \"motion\", or a face whose texture has \"frames\" and no "
-                            "\"rate\": the first frame is shut, the last open");
+                            "\"rate\": the first frame is shut, the last open"_later);
     }
 }
 
@@ -144,12 +146,12 @@ void checkMotion(Reading& reading, JsonValue value, const CellBlueprint& bluepri
         return;
     const Motion& motion = world.motions[static_cast<std::size_t>(blueprint.motion)];
     if (blueprint.gate < 0 && !motion.hasPeriod()) {
-        checker.add(value, {"the motion ", quoted(motion.name), ", which has no \"period\""},
-                    "a motion with a \"period\", or a \"gate\" that moves the block");
+        checker.add(value, {"the motion ", quoted(motion.name), ", which has no \"period\""_later},
+                    "a motion with a \"period\", or a \"gate\" that moves the block"_later);
     } else if (blueprint.gate >= 0 && motion.hasPeriod()) {
-        checker.add(value,
-                    {"the motion ", quoted(motion.name), " of a gate, which has a \"period\""},
-                    "a motion without \"period\": the gate's \"seconds\" say how long it takes");
+        checker.add(
+            value, {"the motion ", quoted(motion.name), " of a gate, which has a \"period\""_later},
+            "a motion without \"period\": the gate's \"seconds\" say how long it takes"_later);
     } else if (blueprint.gate >= 0) {
         const int steps = world.gateKinds[static_cast<std::size_t>(blueprint.gate)].steps;
         const MotionShape shape =
@@ -157,19 +159,20 @@ void checkMotion(Reading& reading, JsonValue value, const CellBlueprint& bluepri
         const double fastest =
             fastestSpeed(shape, (motion.to - motion.from).value(), 2.0 * steps / kStepsPerSecond);
         if (fastest > kFastestMotion)
-            checker.add(value,
-                        {"a gate that reaches ", roundedText(fastest, 4), " units per second"},
-                        "at most 4 units per second; more \"seconds\" make it slower");
+            checker.add(
+                value, {"a gate that reaches "_later, roundedText(fastest, 4), " units per second"},
+                "at most 4 units per second; more \"seconds\" make it slower"_later);
     }
     if (blueprint.slopes.any() && motion.edges != MovingEdges::both)
-        checker.add(value, "a block with slopes of which only some edges move",
-                    "a motion with \"moves\": \"both\"");
+        checker.add(value, "a block with slopes of which only some edges move"_later,
+                    "a motion with \"moves\": \"both\""_later);
     if (!motion.isSideways()) return;
     if (blueprint.plan.half != Half::none)
-        checker.add(value, "a half of a tile that moves sideways",
-                    "a motion along z, or a block without \"diagonal\"");
+        checker.add(value, "a half of a tile that moves sideways"_later,
+                    "a motion along z, or a block without \"diagonal\""_later);
     if (blueprint.isWater)
-        checker.add(value, "water that moves sideways", "a motion along z, or no \"water\"");
+        checker.add(value, "water that moves sideways"_later,
+                    "a motion along z, or no \"water\""_later);
 }
 
 }  // namespace slicecast

@@ -1,3 +1,4 @@
+#include "base/later_text.h"
 #include "scene/limits.h"
 #include "scene/readers.h"
 
@@ -15,7 +16,7 @@ void readName(Reading& reading, const Fields& fields, std::uint16_t index, Map& 
     map.name = *name;
     if (reading.maps.find(*name)) {
         reading.checker.add(*member, {"the name ", quoted(*name), " a second time"},
-                            "a name that no other map has");
+                            "a name that no other map has"_later);
     } else {
         reading.maps.add(member->text(), index);
     }
@@ -34,9 +35,9 @@ void checkCeiling(Reading& reading, JsonValue value, const Map& map) {
                 map.ceiling.tiles[map.tileIndex(x, y)] == kNoTexture)
                 continue;
             reading.checker.add(value,
-                                {"a ceiling through the block ", quoted(block.name), " at x ", x,
-                                 ", y ", y, ", level ", level, ", which has slopes"},
-                                "a ceiling above or below it, or none in its tile");
+                                {"a ceiling through the block "_later, quoted(block.name), " at x ",
+                                 x, ", y ", y, ", level ", level, ", which has slopes"},
+                                "a ceiling above or below it, or none in its tile"_later);
             return;
         }
     }
@@ -45,23 +46,25 @@ void checkCeiling(Reading& reading, JsonValue value, const Map& map) {
 Map readMap(Reading& reading, JsonValue value, std::size_t index) {
     Checker& checker = reading.checker;
     Map map;
-    const auto fields =
-        checker.fields(value,
-                       {"name", "legend", "levels", "floor", "ceiling", "objects", "sow",
-                        "messages", "portals", "sky", "light", "baked", "fog", "haze", "far"},
-                       "a map: an object with \"name\", \"levels\" and \"floor\"");
+    const auto fields = checker.fields(
+        value,
+        {"name", "legend", "size", "levels", "places", "floor", "ceiling", "objects", "objectRows",
+         "sow", "messages", "portals", "sky", "light", "baked", "fog", "haze", "far"},
+        "a map: an object with \"name\", \"levels\" and \"floor\""_onFault);
+    reading.places.resize(index + 1);
     if (!fields) return map;
     readName(reading, *fields, static_cast<std::uint16_t>(index), map);
 
     // The grid comes first: the rest needs its size.
     Legend legend = reading.legend;
     if (const auto own = fields->find("legend"))
-        readLegend(checker, *own, reading.blueprints, "blueprint", legend);
+        readLegend(checker, *own, &reading.blueprints, "blueprint", legend);
     for (const auto& [sign, blueprint] : legend.entries())
         map.legend.push_back({std::string(sign), blueprint});
     if (const auto levels = fields->require("levels", "an array of levels"))
-        readLevels(reading, *levels, legend, map);
+        readLevels(reading, *levels, fields->find("size"), legend, map);
     const bool hasSize = map.width > 0;
+    if (const auto places = fields->find("places")) readPlaces(reading, *places, hasSize, map);
 
     if (const auto floor = fields->require("floor", "the floor's texture"))
         readFloor(reading, *floor, hasSize, map);
@@ -72,11 +75,15 @@ Map readMap(Reading& reading, JsonValue value, std::size_t index) {
             checkCeiling(reading, *ceiling, map);
     }
     if (const auto objects = fields->find("objects")) readObjects(reading, *objects, hasSize, map);
+    if (const auto rows = fields->find("objectRows")) readObjectRows(reading, *rows, hasSize, map);
     if (const auto sow = fields->find("sow")) readSowing(reading, *sow);
     if (const auto messages = fields->find("messages")) readMessages(reading, *messages);
     if (const auto portals = fields->find("portals")) reading.portals.push_back({*portals, index});
     if (const auto light = fields->find("light")) readLight(reading, *light, map.light);
-    if (const auto baked = fields->find("baked")) readBakedLight(reading, *baked, hasSize, map);
+    if (const auto baked = fields->find("baked")) {
+        readBakedLight(reading, *baked, hasSize, map);
+        if (map.light.on) reading.addAim(Aim::What::light, *baked, index);
+    }
     if (const auto sky = fields->find("sky")) readSky(reading, *sky, index, map);
     if (const auto fog = fields->find("fog")) readFog(reading, *fog, map.fog);
     map.haze = fields->colour("haze", map.haze);
@@ -95,7 +102,7 @@ void readMapAt(Reading& reading, std::size_t index) {
 void readMaps(Reading& reading, JsonValue value) {
     Checker& checker = reading.checker;
     if (!value.isArray() || value.count() == 0) {
-        checker.refuse(value, "an array of at least one map");
+        checker.refuse(value, "an array of at least one map"_later);
         reading.maps.takeAny();
         return;
     }

@@ -1,4 +1,5 @@
 // Motions of blocks.
+#include "base/later_text.h"
 #include "base/number_text.h"
 #include "scene/limits.h"
 #include "scene/readers.h"
@@ -55,8 +56,8 @@ void readPeriod(Checker& checker, const Fields& fields, Motion& motion) {
     for (const char* const key : {"phase", "once"}) {
         const auto member = fields.find(key);
         if (member && !hasPeriod)
-            checker.addAtKey(*member, {quoted(key), " without a \"period\""},
-                             "a \"period\"; a motion without one is for gates");
+            checker.addAtKey(*member, {quoted(key), " without a \"period\""_later},
+                             "a \"period\"; a motion without one is for gates"_later);
     }
     if (!hasPeriod) return;
     // It comes to rest in the middle of its period.
@@ -71,7 +72,7 @@ Motion readMotion(Checker& checker, JsonValue value) {
     motion.name = std::string(value.key());
     const auto fields =
         checker.fields(value, {"along", "moves", "from", "to", "period", "phase", "shape", "once"},
-                       "a motion: an object with \"moves\", \"to\" and \"period\"");
+                       "a motion: an object with \"moves\", \"to\" and \"period\""_onFault);
     if (!fields) return motion;
     const std::size_t faultsBefore = checker.count();
     readAxis(checker, *fields, motion);
@@ -84,7 +85,8 @@ Motion readMotion(Checker& checker, JsonValue value) {
     const double fastest = fastestSpeed(motion.shape, (motion.to - motion.from).value(),
                                         static_cast<double>(motion.periodSteps) / kStepsPerSecond);
     if (fastest > kFastestMotion) {
-        checker.add(value, {"a motion that reaches ", roundedText(fastest, 4), " units per second"},
+        checker.add(value,
+                    {"a motion that reaches "_later, roundedText(fastest, 4), " units per second"},
                     kSlower);
     }
     return motion;
@@ -99,7 +101,7 @@ int stepsOf(double seconds) {
 void readMotions(Reading& reading, JsonValue value) {
     Checker& checker = reading.checker;
     if (!value.isObject()) {
-        checker.refuse(value, "the motions: an object with a motion for each name");
+        checker.refuse(value, "the motions: an object with a motion for each name"_later);
         reading.motions.takeAny();
         return;
     }
@@ -111,10 +113,7 @@ void readMotions(Reading& reading, JsonValue value) {
     }
     std::vector<Motion>& motions = reading.description.world.motions;
     for (const JsonValue member : value) {
-        if (member.key().empty() || countCharacters(member.key()) > kMaxNameLength) {
-            checker.addAtKey(member, {"the name ", quoted(member.key())},
-                             {"a name of 1 to ", kMaxNameLength, " characters"});
-        }
+        checker.checkName(member);
         reading.motions.add(member.key(), static_cast<std::uint16_t>(motions.size()));
         motions.push_back(readMotion(checker, member));
     }

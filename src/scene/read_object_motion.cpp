@@ -1,4 +1,5 @@
 // How an object moves, and what it does when the player comes.
+#include "base/later_text.h"
 #include "scene/limits.h"
 #include "scene/readers.h"
 #include "world/player.h"
@@ -39,7 +40,7 @@ int motionSteps(double seconds) {
 void readAlert(Reading& reading, JsonValue value, ObjectMotion& motion) {
     Checker& checker = reading.checker;
     const auto fields = checker.fields(value, {"do", "near", "keep", "speed", "seconds"},
-                                       "what it does: an object with \"do\" and \"near\"");
+                                       "what it does: an object with \"do\" and \"near\""_onFault);
     if (!fields) return;
     fields->requireChoice("do", kReactions);
     fields->require("near", kAlertNear.words);
@@ -50,13 +51,13 @@ void readAlert(Reading& reading, JsonValue value, ObjectMotion& motion) {
     motion.calmSteps = motionSteps(fields->number("seconds", kCalm, 3.0));
     const bool keepsToLine = motion.kind == Kind::pace || motion.kind == Kind::circle;
     if (keepsToLine && motion.reaction != Reaction::greet)
-        checker.add(value, "an object that leaves its line",
-                    "\"do\": \"greet\", or the kind \"stand\", \"wander\" or \"patrol\"");
+        checker.add(value, "an object that leaves its line"_later,
+                    "\"do\": \"greet\", or the kind \"stand\", \"wander\" or \"patrol\""_later);
 }
 
 void readLooks(Reading& reading, JsonValue value, ObjectMotion& motion) {
-    const auto fields = reading.checker.fields(value, {"walk", "alert"},
-                                               "sprites: an object with \"walk\" and \"alert\"");
+    const auto fields = reading.checker.fields(
+        value, {"walk", "alert"}, "sprites: an object with \"walk\" and \"alert\""_onFault);
     if (!fields) return;
     if (const auto walk = fields->find("walk"))
         motion.walking = reading.checker.name(*walk, reading.sprites, "sprite");
@@ -64,30 +65,37 @@ void readLooks(Reading& reading, JsonValue value, ObjectMotion& motion) {
         motion.alert = reading.checker.name(*alert, reading.sprites, "sprite");
 }
 
-// { "map", "x", "y", "z", "wait" }
+// { "map", "place", "x", "y", "z", "wait" }, or the name of a place
 std::optional<PathPoint> readPoint(Reading& reading, JsonValue value, int ownMap) {
     Checker& checker = reading.checker;
-    const auto fields = checker.fields(value, {"map", "x", "y", "z", "wait"},
-                                       "a point: an object with \"x\" and \"y\"");
-    if (!fields) return std::nullopt;
     const std::size_t faultsBefore = checker.count();
     PathPoint point;
     point.map = ownMap;
-    if (const auto map = fields->find("map"))
-        point.map = checker.name(*map, reading.maps, "map").value_or(0);
-    for (const char* key : {"x", "y"}) fields->require(key, kOnMapRange.words);
-    point.place.x = toCoordinate(fields->number("x", kOnMapRange, 0.0));
-    point.place.y = toCoordinate(fields->number("y", kOnMapRange, 0.0));
-    if (fields->find("z")) {
-        point.feet = toCoordinate(fields->number("z", kPointFeet, 0.0));
+    NamedPlace place = {value};
+    if (value.isText()) {
+        place = findPlace(reading, value, static_cast<std::uint16_t>(ownMap));
+    } else {
+        const auto fields =
+            checker.fields(value, {"map", "place", "x", "y", "z", "wait"},
+                           "a point: an object with \"x\" and \"y\", or a place's name"_onFault);
+        if (!fields) return std::nullopt;
+        const auto map = fields->mapOr(reading.maps, ownMap);
+        point.map = map.value_or(0);
+        place = readPosition(reading, value, *fields, false, map);
+        if (fields->find("z")) place.z = fields->number("z", kPointFeet, 0.0);
+        point.waitSteps = motionSteps(fields->number("wait", kWait, 0.0));
+    }
+    point.place.x = toCoordinate(place.x);
+    point.place.y = toCoordinate(place.y);
+    if (place.z) {
+        point.feet = toCoordinate(*place.z);
         reading.things.push_back({value, "a point of a path", static_cast<std::size_t>(point.map),
                                   point.place.x, point.place.y, *point.feet});
     }
-    point.waitSteps = motionSteps(fields->number("wait", kWait, 0.0));
     if (checker.count() != faultsBefore) return std::nullopt;
     const Map& map = reading.description.world.maps[static_cast<std::size_t>(point.map)];
     if (map.width > 0 && !map.contains(point.place.x.tile(), point.place.y.tile())) {
-        checker.add(value, "a point outside the map",
+        checker.add(value, "a point outside the map"_later,
                     {"x below ", map.width, " and y below ", map.depth});
         return std::nullopt;
     }
@@ -101,7 +109,7 @@ ReadMotion readObjectMotion(Reading& reading, JsonValue value) {
     ReadMotion read;
     const auto fields = checker.fields(
         value, {"kind", "speed", "heading", "reach", "path", "loop", "alert", "solid", "sprites"},
-        "a motion: an object with \"kind\" and \"speed\"");
+        "a motion: an object with \"kind\" and \"speed\""_onFault);
     if (!fields) return read;
     ObjectMotion& motion = read.motion;
     fields->requireChoice("kind", kKinds);
@@ -117,8 +125,8 @@ ReadMotion readObjectMotion(Reading& reading, JsonValue value) {
                     ? fields->require("path", "an array of points with \"x\" and \"y\"")
                     : fields->find("path");
     if (read.path && motion.kind != Kind::patrol)
-        checker.addAtKey(*read.path, "a path of an object that does not patrol",
-                         "\"path\" only with \"kind\": \"patrol\"");
+        checker.addAtKey(*read.path, "a path of an object that does not patrol"_later,
+                         "\"path\" only with \"kind\": \"patrol\""_later);
     motion.loops = fields->flag("loop", true);
     if (const auto alert = fields->find("alert")) readAlert(reading, *alert, motion);
     motion.solid =
@@ -137,7 +145,7 @@ void placePaths(Reading& reading) {
             world.movingObjects.paths[static_cast<std::size_t>(motion.path)];
         if (!placed.value.isArray() || placed.value.count() == 0 ||
             placed.value.count() > kMaxPathPoints) {
-            checker.refuse(placed.value, "an array of 1 to 64 points");
+            checker.refuse(placed.value, "an array of 1 to 64 points"_later);
             continue;
         }
         for (const JsonValue element : placed.value)

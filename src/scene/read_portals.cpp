@@ -10,6 +10,7 @@
 // turns around and walks back comes out where they went in. For a top or bottom, N is the block
 // that touches the same plane from the other side. The way back of a tile is a portal of the exit
 // tile.
+#include "base/later_text.h"
 #include "scene/limits.h"
 #include "scene/readers.h"
 #include "world/player.h"
@@ -20,8 +21,6 @@
 namespace slicecast {
 namespace {
 
-constexpr NumberRange kTileNumber = {0.0, kMaxMapWidth - 1, false,
-                                     "a whole number of tiles, from 0 to 4095"};
 constexpr NumberRange kLevelNumber = {0.0, kMaxLevels, false,
                                       "a whole number of levels, from 0 to 32"};
 constexpr NumberRange kTurn = {0.0, 270.0, false,
@@ -91,13 +90,13 @@ private:
     std::optional<PortalOrder> readOrder(JsonValue value, std::size_t map) {
         const auto fields =
             checker_.fields(value, {"x", "y", "level", "face", "to", "turn", "twoWay"},
-                            "a portal: an object with \"x\", \"y\" and \"to\"");
+                            "a portal: an object with \"x\", \"y\" and \"to\""_onFault);
         if (!fields) return std::nullopt;
         PortalOrder order{value, value, {}, 0, 0, std::nullopt, false};
-        for (const char* key : {"x", "y"}) fields->require(key, kTileNumber.words);
+        for (const char* key : {"x", "y"}) fields->require(key, kTile.words);
         order.portal.fromMap = static_cast<int>(map);
-        order.portal.fromX = fields->wholeNumber("x", kTileNumber, 0);
-        order.portal.fromY = fields->wholeNumber("y", kTileNumber, 0);
+        order.portal.fromX = fields->wholeNumber("x", kTile, 0);
+        order.portal.fromY = fields->wholeNumber("y", kTile, 0);
         order.level = fields->wholeNumber("level", kLevelNumber, 0);
         if (const auto face = fields->find("face")) order.face = readFace(*face);
         if (const auto turn = fields->find("turn")) order.portal.turn = readTurn(*turn);
@@ -128,17 +127,18 @@ private:
     }
 
     void readExit(JsonValue value, PortalOrder& order) {
-        const auto fields = checker_.fields(value, {"map", "x", "y", "level"},
-                                            "where it leads: an object with \"x\" and \"y\"");
+        const auto fields =
+            checker_.fields(value, {"map", "place", "x", "y", "level"},
+                            "where it leads: an object with \"x\" and \"y\""_onFault);
         if (!fields) return;
         order.exit = value;
-        for (const char* key : {"x", "y"}) fields->require(key, kTileNumber.words);
-        order.portal.toMap = order.portal.fromMap;
-        if (const auto map = fields->find("map"))
-            order.portal.toMap = checker_.name(*map, reading_.maps, "map").value_or(0);
-        order.portal.toX = fields->wholeNumber("x", kTileNumber, 0);
-        order.portal.toY = fields->wholeNumber("y", kTileNumber, 0);
-        order.toLevel = fields->wholeNumber("level", kLevelNumber, order.level);
+        const auto map = fields->mapOr(reading_.maps, order.portal.fromMap);
+        order.portal.toMap = map.value_or(0);
+        const NamedPlace place = readPosition(reading_, value, *fields, true, map);
+        order.portal.toX = static_cast<int>(place.x);
+        order.portal.toY = static_cast<int>(place.y);
+        const int level = place.z ? static_cast<int>(*place.z) : order.level;
+        order.toLevel = fields->wholeNumber("level", kLevelNumber, level);
         order.portal.levels = order.toLevel - order.level;
     }
 
@@ -161,7 +161,7 @@ private:
         if (level > map.levels) {
             checker_.add(at, {what, " on level ", level},
                          {"a level from 0 to ", map.levels,
-                          ", the one above all blocks of the map ", quoted(map.name)});
+                          ", the one above all blocks of the map "_later, quoted(map.name)});
             return false;
         }
         return true;
@@ -186,8 +186,8 @@ private:
         const Portal& portal = order.portal;
         if (portal.turn == 0 && portal.levels == 0 && portal.fromMap == portal.toMap &&
             portal.fromX == portal.toX && portal.fromY == portal.toY) {
-            checker_.add(order.value, "a portal that leads to itself",
-                         "another tile, a turn or another level");
+            checker_.add(order.value, "a portal that leads to itself"_later,
+                         "another tile, a turn or another level"_later);
             return;
         }
         if (!hasRoom(order.exit, portal.toMap, {portal.toX, portal.toY},
@@ -208,7 +208,7 @@ private:
         if (id == kEmptyCell) {
             checker_.add(
                 order.value, {"no block at ", cellText(tile, order.level)},
-                "a block that has this face; without \"face\" the whole tile is the portal");
+                "a block that has this face; without \"face\" the whole tile is the portal"_later);
             return;
         }
         const Stretch block = {world_.blueprints[id].bottom, world_.blueprints[id].top};
@@ -238,18 +238,18 @@ private:
         if (backId == kEmptyCell ||
             (isLevel && edge(backFace, backLevel, world_.blueprints[backId]) !=
                             edge(fitting, order.toLevel, world_.blueprints[id]))) {
-            checker_.add(
-                order.value,
-                {"no block for the way back at ", cellText({back.fromX, back.fromY}, backLevel)},
-                {"a block whose ", kFaceNames[static_cast<std::size_t>(backFace)],
-                 " face lies behind the exit, or no \"twoWay\""});
+            checker_.add(order.value,
+                         {"no block for the way back at "_later,
+                          cellText({back.fromX, back.fromY}, backLevel)},
+                         {"a block whose ", kFaceNames[static_cast<std::size_t>(backFace)],
+                          " face lies behind the exit, or no \"twoWay\""_later});
             return;
         }
         const CellBlueprint& other = world_.blueprints[backId];
         const int exitLevel = backLevel + back.levels;
         if (!mapAt(back.toMap).contains(back.toX, back.toY)) {
-            checker_.add(order.value, "a two-way portal that faces the edge of the map",
-                         "a tile in front of the portal, or no \"twoWay\"");
+            checker_.add(order.value, "a two-way portal that faces the edge of the map"_later,
+                         "a tile in front of the portal, or no \"twoWay\""_later);
             return;
         }
         if (!hasRoom(order.value, back.toMap, {back.toX, back.toY},
@@ -298,30 +298,32 @@ private:
             checker_.add(at,
                          {what, " inside the block ", quoted(inTheWay), " at ",
                           cellText(tile, levelInTheWay)},
-                         "an exit outside solid blocks");
+                         "an exit outside solid blocks"_later);
             return false;
         }
         const auto isHighEnough = [&](const Stretch& room) {
             return leadsInto(room) && room.high - room.low >= kCrouchedHeight;
         };
         if (std::none_of(free.begin(), free.end(), isHighEnough)) {
-            checker_.warn(at, {what, " where the player does not fit"},
-                          "at least 0.35 units of free height, so that the player can enter");
+            checker_.warn(at, {what, " where the player does not fit"_later},
+                          "at least 0.35 units of free height, so that the player can enter"_later);
         }
         return true;
     }
 
     std::optional<PortalId> add(JsonValue at, const Portal& portal) {
         if (world_.portals.size() >= static_cast<std::size_t>(kMaxPortals)) {
-            checker_.add(at, {"more than ", kMaxPortals, " portals"}, "fewer in all maps together");
+            checker_.add(at, {"more than ", kMaxPortals, " portals"},
+                         "fewer in all maps together"_later);
             return std::nullopt;
         }
         if (std::none_of(ways_.rbegin(), ways_.rend(),
                          [&](const Portal& way) { return leadOnTogether(way, portal); })) {
             if (ways_.size() == kMaxPortalWays) {
-                checker_.add(at, {"more than ", kMaxPortalWays, " different ways through portals"},
-                             "fewer; portals side by side that lead to places side by side are "
-                             "one way");
+                checker_.add(
+                    at, {"more than ", kMaxPortalWays, " different ways through portals"_later},
+                    "fewer; portals side by side that lead to places side by side are "
+                    "one way"_later);
                 return std::nullopt;
             }
             ways_.push_back(portal);
@@ -336,9 +338,9 @@ private:
         PortalId& place = map.tilePortals[map.tileIndex(portal.fromX, portal.fromY)];
         if (place != kNoPortal) {
             checker_.add(at,
-                         {"a second portal at x ", portal.fromX, ", y ", portal.fromY,
+                         {"a second portal at x "_later, portal.fromX, ", y ", portal.fromY,
                           " of the map ", quoted(map.name)},
-                         "one portal per tile, counting the ways back of others");
+                         "one portal per tile, counting the ways back of others"_later);
             return false;
         }
         const auto id = add(at, portal);
@@ -353,11 +355,11 @@ private:
         for (int level = 0; level < map.levels; ++level) {
             const CellBlueprint& block = world_.blueprints[map.cell(portal.toX, portal.toY, level)];
             if (!block.slopes.any()) continue;
-            checker_.add(
-                at,
-                {"a portal in a roof or an underside that leads to the block ", quoted(block.name),
-                 " at ", cellText({portal.toX, portal.toY}, level), ", which has slopes"},
-                "an exit tile without blocks with \"rise\"");
+            checker_.add(at,
+                         {"a portal in a roof or an underside that leads to the block "_later,
+                          quoted(block.name), " at ", cellText({portal.toX, portal.toY}, level),
+                          ", which has slopes"},
+                         "an exit tile without blocks with \"rise\""_later);
             return false;
         }
         return true;
@@ -369,40 +371,40 @@ private:
         BlueprintId id = map.cell(tile.x, tile.y, level);
         if (!world_.blueprints[id].isStill()) {
             checker_.add(at,
-                         {"a portal on the block ", quoted(world_.blueprints[id].name),
-                          ", which moves or opens"},
-                         "a block that stands still");
+                         {"a portal on the block "_later, quoted(world_.blueprints[id].name),
+                          ", which moves or opens"_later},
+                         "a block that stands still"_later);
             return false;
         }
         if (!world_.blueprints[id].plan.isWhole()) {
             checker_.add(at,
-                         {"a portal on the block ", quoted(world_.blueprints[id].name),
-                          ", which fills a part of its tile"},
-                         "a block without \"plan\" and \"diagonal\"");
+                         {"a portal on the block "_later, quoted(world_.blueprints[id].name),
+                          ", which fills a part of its tile"_later},
+                         "a block without \"plan\" and \"diagonal\""_later);
             return false;
         }
         if (world_.blueprints[id].slopes.any()) {
             checker_.add(at,
-                         {"a portal on the block ", quoted(world_.blueprints[id].name),
+                         {"a portal on the block "_later, quoted(world_.blueprints[id].name),
                           ", which has slopes"},
-                         "a block without \"rise\"");
+                         "a block without \"rise\""_later);
             return false;
         }
         if ((face == Face::top || face == Face::bottom) && !leadsToLevelBlocks(at, portal))
             return false;
         if (world_.blueprints[id].isWater) {
-            checker_.add(
-                at,
-                {"a portal on the block ", quoted(world_.blueprints[id].name), ", which is water"},
-                "a solid block, or a portal of the whole tile, without \"face\"");
+            checker_.add(at,
+                         {"a portal on the block "_later, quoted(world_.blueprints[id].name),
+                          ", which is water"},
+                         "a solid block, or a portal of the whole tile, without \"face\""_later);
             return false;
         }
         if (id < firstOwn_) {
             if (world_.blueprints.size() >= static_cast<std::size_t>(kMaxBlueprints)) {
                 checker_.add(at,
                              {"more than ", kMaxBlueprints,
-                              " blueprints: each block with portals needs its own"},
-                             "fewer blocks with portals");
+                              " blueprints: each block with portals needs its own"_later},
+                             "fewer blocks with portals"_later);
                 return false;
             }
             CellBlueprint own = instanceOf(world_, id);
@@ -413,10 +415,11 @@ private:
         }
         PortalId& place = world_.blueprints[id].faces[static_cast<std::size_t>(face)].portal;
         if (place != kNoPortal) {
-            checker_.add(at,
-                         {"a second portal on the ", kFaceNames[static_cast<std::size_t>(face)],
-                          " face at ", cellText(tile, level), " of the map ", quoted(map.name)},
-                         "one portal per face, counting the ways back of others");
+            checker_.add(
+                at,
+                {"a second portal on the "_later, kFaceNames[static_cast<std::size_t>(face)],
+                 " face at ", cellText(tile, level), " of the map ", quoted(map.name)},
+                "one portal per face, counting the ways back of others"_later);
             return false;
         }
         const auto added = add(at, portal);

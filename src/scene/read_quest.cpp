@@ -1,4 +1,5 @@
 // Finds, messages and the game of a scene.
+#include "base/later_text.h"
 #include "scene/limits.h"
 #include "scene/readers.h"
 
@@ -10,8 +11,6 @@ namespace {
 
 constexpr NumberRange kNoticeNear = {0.0, kFarthestNotice, false,
                                      "a number from 0 to 32, in units"};
-constexpr NumberRange kTile = {0.0, 4095.0, false, "a whole number of a tile, from 0 to 4095"};
-constexpr NumberRange kTiles = {1.0, 4096.0, false, "a whole number of tiles, from 1 to 4096"};
 constexpr NumberRange kAreaHeight = {0.0, kMaxHeight, false, "a number from 0 to 1000"};
 constexpr NumberRange kCount = {1.0, static_cast<double>(kMaxFinds), false,
                                 "a whole number of finds, from 1 to 1024"};
@@ -34,11 +33,12 @@ bool hasRoomForNotice(Reading& reading, JsonValue value) {
     return false;
 }
 
-// { "x", "y", "width", "depth", "bottom", "top" }: tiles of a map.
-Box readArea(const Fields& fields) {
-    for (const char* key : {"x", "y"}) fields.require(key, kTile.words);
-    const int x = fields.wholeNumber("x", kTile, 0);
-    const int y = fields.wholeNumber("y", kTile, 0);
+// { "place", "x", "y", "width", "depth", "bottom", "top" }: tiles of a map.
+Box readArea(Reading& reading, JsonValue value, const Fields& fields,
+             std::optional<std::uint16_t> map) {
+    const NamedPlace place = readPosition(reading, value, fields, true, map);
+    const int x = static_cast<int>(place.x);
+    const int y = static_cast<int>(place.y);
     const int width = fields.wholeNumber("width", kTiles, 1);
     const int depth = fields.wholeNumber("depth", kTiles, 1);
     return {tileEdge(x),
@@ -49,14 +49,23 @@ Box readArea(const Fields& fields) {
             toCoordinate(fields.number("top", kAreaHeight, kMaxHeight))};
 }
 
+// "needs" and "unless" of the next message; the names of finds are known once all maps are read.
+void readConditions(Reading& reading, JsonValue value) {
+    const std::size_t number = reading.description.world.quest.notices.size();
+    if (const auto needs = value.find("needs"))
+        reading.needs.push_back({*needs, PlacedNeeds::Of::notice, number});
+    if (const auto unless = value.find("unless"))
+        reading.needs.push_back({*unless, PlacedNeeds::Of::unless, number});
+}
+
 void checkArea(Reading& reading, JsonValue value, int map, const Box& area, const char* what) {
     const Map& grid = reading.description.world.maps[static_cast<std::size_t>(map)];
     if (area.east > tileEdge(grid.width) || area.south > tileEdge(grid.depth)) {
-        reading.checker.add(value, {what, " beyond the edge of the map"},
+        reading.checker.add(value, {what, " beyond the edge of the map"_later},
                             {"tiles with x below ", grid.width, " and y below ", grid.depth});
     } else if (!reading.rooms.hasRoomIn(reading.description.world, map, area)) {
-        reading.checker.warn(value, {what, " where the player has no room"},
-                             "a tile that the player can enter");
+        reading.checker.warn(value, {what, " where the player has no room"_later},
+                             "a tile that the player can enter"_later);
     }
 }
 
@@ -84,7 +93,7 @@ Needs readNeeds(Reading& reading, JsonValue value) {
     } else if (value.isArray() && value.count() > 0 && value.count() <= kMaxFinds) {
         for (const JsonValue name : value) add(name);
     } else {
-        checker.refuse(value, "a number of finds, the name of a find, or an array of names");
+        checker.refuse(value, "a number of finds, the name of a find, or an array of names"_later);
     }
     return needs;
 }
@@ -95,7 +104,7 @@ void checkNeeds(Reading& reading, JsonValue value, const Needs& needs) {
     const auto finds = static_cast<int>(quest.finds.size());
     if (needs.any > finds) {
         reading.checker.warn(value, {"a need of ", Counted{needs.any, "find"}},
-                             {"at most ", finds, ", as many as there are"});
+                             {"at most ", finds, ", as many as there are"_later});
     }
     std::vector<int> thereOf(quest.kinds.size());
     for (const Find& find : quest.finds) ++thereOf[find.kind];
@@ -105,7 +114,7 @@ void checkNeeds(Reading& reading, JsonValue value, const Needs& needs) {
         reading.checker.warn(
             value,
             {"a need of ", Counted{wanted, "find"}, " named ", quoted(quest.kinds[kind].name)},
-            {"at most ", there, ", as many as there are"});
+            {"at most ", there, ", as many as there are"_later});
         return;
     }
 }
@@ -114,7 +123,7 @@ void checkNeeds(Reading& reading, JsonValue value, const Needs& needs) {
 void readGame(Reading& reading, JsonValue value) {
     Checker& checker = reading.checker;
     const auto fields = checker.fields(value, {"aim", "needs", "at", "message"},
-                                       "a game: an object, for example with \"aim\"");
+                                       "a game: an object, for example with \"aim\""_onFault);
     if (!fields) return;
     Quest& quest = reading.description.world.quest;
     if (const auto aim = fields->require("aim", "what the player is to do"))
@@ -127,21 +136,21 @@ void readGame(Reading& reading, JsonValue value) {
     }
     if (const auto message = fields->find("message")) goal.message = readMessage(checker, *message);
     if (const auto at = fields->find("at")) {
-        const auto place = checker.fields(*at, {"map", "x", "y", "width", "depth", "bottom", "top"},
-                                          "tiles of a map: an object with \"x\" and \"y\"");
+        const auto place =
+            checker.fields(*at, {"map", "place", "x", "y", "width", "depth", "bottom", "top"},
+                           "tiles of a map: an object with \"x\" and \"y\""_onFault);
         if (!place) return;
-        goal.map = reading.description.world.start.map;
-        if (const auto map = place->find("map"))
-            goal.map = checker.name(*map, reading.maps, "map").value_or(0);
-        goal.area = readArea(*place);
+        const auto map = place->mapOr(reading.maps, reading.description.world.start.map);
+        goal.map = map.value_or(0);
+        goal.area = readArea(reading, *at, *place, map);
         if (checker.count() == 0) checkArea(reading, *at, *goal.map, goal.area, "a goal");
         reading.addAim(Aim::What::goal, *at, 0);
     }
     if (!goal.needs.none() || goal.map) {
         quest.goal = goal;
     } else {
-        checker.warn(value, "a game that never ends: it has no finds and no \"at\"",
-                     "objects with \"find\", or \"at\": where the player is to come");
+        checker.warn(value, "a game that never ends: it has no finds and no \"at\""_later,
+                     "objects with \"find\", or \"at\": where the player is to come"_later);
     }
 }
 
@@ -153,19 +162,17 @@ void checkNotice(Reading& reading, std::size_t number) {
 
 }  // namespace
 
-void readFind(Reading& reading, JsonValue value, int object) {
+void placeFind(Reading& reading, JsonValue value, Find find, int object) {
     Quest& quest = reading.description.world.quest;
     if (quest.finds.size() == kMaxFinds) {
         reading.checker.add(value, {"more than ", kMaxFinds, " finds"},
                             {"at most ", kMaxFinds, " in a scene"});
         return;
     }
-    std::optional<Find> find = readFindKind(reading, value);
-    if (!find) return;
-    find->map = static_cast<int>(reading.description.world.maps.size());
-    find->object = object;
+    find.map = static_cast<int>(reading.description.world.maps.size());
+    find.object = object;
     reading.addAim(Aim::What::finds, value, quest.finds.size());
-    quest.finds.push_back(std::move(*find));
+    quest.finds.push_back(std::move(find));
 }
 
 std::optional<Find> readFindKind(Reading& reading, JsonValue value) {
@@ -175,7 +182,7 @@ std::optional<Find> readFindKind(Reading& reading, JsonValue value) {
     std::optional<JsonValue> kind = value;
     if (!value.isText()) {
         const auto fields = checker.fields(value, {"kind", "message"},
-                                           "a find: its name, or an object with \"kind\"");
+                                           "a find: its name, or an object with \"kind\""_onFault);
         if (!fields) return std::nullopt;
         const auto named = fields->require("kind", "the find's name");
         if (const auto message = fields->find("message"))
@@ -194,25 +201,30 @@ std::optional<Find> readFindKind(Reading& reading, JsonValue value) {
     return find;
 }
 
-void readObjectMessage(Reading& reading, JsonValue value, int object) {
-    if (!hasRoomForNotice(reading, value)) return;
+Notice readObjectMessage(Reading& reading, JsonValue value) {
     Checker& checker = reading.checker;
     Notice notice;
-    notice.map = static_cast<int>(reading.description.world.maps.size());
-    notice.object = object;
     notice.near = kUsualNear;
     if (value.isText()) {
         notice.text = readMessage(checker, value);
-    } else {
-        const auto fields = checker.fields(value, {"text", "near", "once"},
-                                           "a message: its text, or an object with \"text\"");
-        if (!fields) return;
-        if (const auto text = fields->require("text", "the message"))
-            notice.text = readMessage(checker, *text);
-        notice.near = toCoordinate(fields->number("near", kNoticeNear, kUsualNear.value()));
-        notice.once = fields->flag("once", false);
+        return notice;
     }
+    const auto fields = checker.fields(value, {"text", "near", "once", "needs", "unless"},
+                                       "a message: its text, or an object with \"text\""_onFault);
+    if (!fields) return notice;
+    if (const auto text = fields->require("text", "the message"))
+        notice.text = readMessage(checker, *text);
+    notice.near = toCoordinate(fields->number("near", kNoticeNear, kUsualNear.value()));
+    notice.once = fields->flag("once", false);
+    return notice;
+}
+
+void placeObjectMessage(Reading& reading, JsonValue value, Notice notice, int object) {
+    if (!hasRoomForNotice(reading, value)) return;
     std::vector<Notice>& notices = reading.description.world.quest.notices;
+    notice.map = static_cast<int>(reading.description.world.maps.size());
+    notice.object = object;
+    if (value.isObject()) readConditions(reading, value);
     reading.addAim(Aim::What::notice, value, notices.size());
     notices.push_back(std::move(notice));
 }
@@ -220,22 +232,25 @@ void readObjectMessage(Reading& reading, JsonValue value, int object) {
 void readMessages(Reading& reading, JsonValue value) {
     Checker& checker = reading.checker;
     if (!value.isArray()) {
-        checker.refuse(value, "an array of messages");
+        checker.refuse(value, "an array of messages"_later);
         return;
     }
     for (const JsonValue element : value) {
         if (!hasRoomForNotice(reading, element)) return;
-        const auto fields = checker.fields(
-            element, {"text", "x", "y", "width", "depth", "bottom", "top", "near", "once"},
-            "a message: an object with \"text\", \"x\" and \"y\"");
+        const auto fields =
+            checker.fields(element,
+                           {"text", "place", "x", "y", "width", "depth", "bottom", "top", "near",
+                            "once", "needs", "unless"},
+                           "a message: an object with \"text\", \"x\" and \"y\""_onFault);
         if (!fields) continue;
         Notice notice;
         notice.map = static_cast<int>(reading.description.world.maps.size());
         if (const auto text = fields->require("text", "the message"))
             notice.text = readMessage(checker, *text);
-        notice.area = readArea(*fields);
+        notice.area = readArea(reading, element, *fields, static_cast<std::uint16_t>(notice.map));
         notice.near = toCoordinate(fields->number("near", kNoticeNear, 0.0));
         notice.once = fields->flag("once", false);
+        readConditions(reading, element);
         std::vector<Notice>& notices = reading.description.world.quest.notices;
         reading.placedNotices.push_back({element, notices.size()});
         reading.addAim(Aim::What::notice, element, notices.size());
@@ -245,9 +260,15 @@ void readMessages(Reading& reading, JsonValue value) {
 
 void placeQuest(Reading& reading, FoundValue game) {
     for (const PlacedNeeds& placed : reading.needs) {
-        GateKind& kind = reading.description.world.gateKinds[static_cast<std::size_t>(placed.gate)];
-        kind.needs = readNeeds(reading, placed.value);
-        if (reading.checker.count() == 0) checkNeeds(reading, placed.value, kind.needs);
+        World& world = reading.description.world;
+        const Needs needs = readNeeds(reading, placed.value);
+        if (reading.checker.count() == 0) checkNeeds(reading, placed.value, needs);
+        if (placed.of == PlacedNeeds::Of::gate) {
+            world.gateKinds[placed.number].needs = needs;
+        } else if (placed.number < world.quest.notices.size()) {
+            Notice& notice = world.quest.notices[placed.number];
+            (placed.of == PlacedNeeds::Of::notice ? notice.needs : notice.unless) = needs;
+        }
     }
     if (game) readGame(reading, *game);
     if (reading.checker.count() != 0) return;

@@ -1,4 +1,5 @@
 // The sky of a map: its colours or panorama, and stars, sun, moon and clouds over them.
+#include "base/later_text.h"
 #include "scene/limits.h"
 #include "scene/readers.h"
 
@@ -24,8 +25,9 @@ static_assert(kMaxSkySlope == 1000.0 && kMaxDiscSize == 30.0 && kMaxGlow == 90.0
 
 // "sun" or "moon"; `normal` has what is not given.
 void readDisc(Checker& checker, JsonValue value, const SkyDisc& normal, SkyDisc& disc) {
-    const auto fields = checker.fields(value, {"azimuth", "altitude", "size", "glow", "colour"},
-                                       "an object such as { \"azimuth\": 225, \"altitude\": 20 }");
+    const auto fields =
+        checker.fields(value, {"azimuth", "altitude", "size", "glow", "colour"},
+                       "an object such as { \"azimuth\": 225, \"altitude\": 20 }"_onFault);
     if (!fields) return;
     disc.azimuth = fields->number("azimuth", kHeadingRange, normal.azimuth);
     disc.altitude = fields->number("altitude", kDiscAltitude, normal.altitude);
@@ -40,7 +42,7 @@ std::uint32_t readSeed(const Fields& fields) {
 
 void readStars(Checker& checker, JsonValue value, SkyStars& stars) {
     const auto fields = checker.fields(value, {"density", "seed", "brightness", "colour"},
-                                       "an object such as { \"density\": 0.3 }");
+                                       "an object such as { \"density\": 0.3 }"_onFault);
     if (!fields) return;
     stars.density = fields->number("density", kUnitRange, kNormalStars);
     stars.seed = readSeed(*fields);
@@ -55,9 +57,9 @@ std::shared_ptr<const CloudCover> shapeOf(Reading& reading, JsonValue value, std
         if (known.seed == seed && known.size == size) return known.shape;
     }
     if (reading.clouds.size() == kMaxCloudShapes) {
-        reading.checker.add(
-            value, {"clouds of more than ", kMaxCloudShapes, " shapes"},
-            {"at most ", kMaxCloudShapes, " in a scene; equal \"seed\" and \"size\" are one"});
+        reading.checker.add(value, {"clouds of more than "_later, kMaxCloudShapes, " shapes"},
+                            {"at most ", kMaxCloudShapes,
+                             " in a scene; equal \"seed\" and \"size\" are one"_later});
         return nullptr;
     }
     reading.clouds.push_back({seed, size, makeCloudCover(seed, size)});
@@ -67,7 +69,7 @@ std::shared_ptr<const CloudCover> shapeOf(Reading& reading, JsonValue value, std
 void readClouds(Reading& reading, JsonValue value, SkyClouds& clouds) {
     const auto fields = reading.checker.fields(
         value, {"cover", "size", "seed", "speed", "opacity", "colour", "shade"},
-        "an object such as { \"cover\": 0.4, \"speed\": 0.5 }");
+        "an object such as { \"cover\": 0.4, \"speed\": 0.5 }"_onFault);
     if (!fields) return;
     clouds.cover = fields->number("cover", kUnitRange, clouds.cover);
     clouds.speed = fields->number("speed", kCloudSpeed, clouds.speed);
@@ -112,10 +114,11 @@ void readSky(Reading& reading, JsonValue value, std::size_t mapIndex, Map& map) 
     }
     const auto fields =
         isPanorama
-            ? checker.fields(value, {"panorama", "slope", "stars", "sun", "moon", "clouds"}, "")
-            : checker.fields(
-                  value, {"low", "high", "slope", "stars", "sun", "moon", "clouds"},
-                  "a colour, an object with \"low\" and \"high\", or one with \"panorama\"");
+            ? checker.fields(value, {"panorama", "slope", "stars", "sun", "moon", "clouds"},
+                             ""_onFault)
+            : checker.fields(value, {"low", "high", "slope", "stars", "sun", "moon", "clouds"},
+                             "a colour, an object with \"low\" and \"high\", "
+                             "or one with \"panorama\""_onFault);
     if (!fields) return;
     sky.slope = fields->number("slope", kSlope, 1.0);
     readLayers(reading, *fields, map);

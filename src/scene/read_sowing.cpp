@@ -1,4 +1,5 @@
 // What is sown over a map.
+#include "base/later_text.h"
 #include "scene/limits.h"
 #include "scene/readers.h"
 
@@ -31,9 +32,9 @@ std::optional<CoordinateRange> readRange(Checker& checker, JsonValue value,
     }
     if (numbers.size() != 2 || numbers[0] > numbers[1]) {
         checker.add(value,
-                    numbers.size() == 2 ? "a range from a greater to a smaller number"
+                    numbers.size() == 2 ? "a range from a greater to a smaller number"_later
                                         : checker.shown(value),
-                    "a number, or an array of the least and the greatest number");
+                    "a number, or an array of the least and the greatest number"_later);
         return std::nullopt;
     }
     return CoordinateRange{toCoordinate(numbers[0]), toCoordinate(numbers[1])};
@@ -75,11 +76,11 @@ void readGround(Reading& reading, const Fields& fields, Sowing& sowing) {
 
 void readSown(Reading& reading, JsonValue value) {
     Checker& checker = reading.checker;
-    const auto fields =
-        checker.fields(value,
-                       {"sprite", "density", "seed", "height", "width", "above", "on", "textures",
-                        "clear", "light", "glow", "float", "find", "motion"},
-                       "something to sow: an object with \"sprite\", \"density\" and \"height\"");
+    const auto fields = checker.fields(
+        value,
+        {"sprite", "density", "seed", "height", "width", "above", "on", "textures", "clear",
+         "light", "glow", "float", "find", "motion"},
+        "something to sow: an object with \"sprite\", \"density\" and \"height\""_onFault);
     if (!fields) return;
     Sowing sowing;
     if (const auto sprite = fields->require("sprite", "the name of a sprite")) {
@@ -106,8 +107,8 @@ void readSown(Reading& reading, JsonValue value) {
     if (const auto motion = fields->find("motion")) {
         const ReadMotion read = readObjectMotion(reading, *motion);
         if (read.motion.kind == ObjectMotion::Kind::patrol)
-            checker.add(*motion, "a sown object that patrols",
-                        "another kind: a path begins at one place");
+            checker.add(*motion, "a sown object that patrols"_later,
+                        "another kind: a path begins at one place"_later);
         sowing.motion = read.motion;
         sowing.anyHeading = !read.hasHeading;
     }
@@ -119,7 +120,7 @@ void readSown(Reading& reading, JsonValue value) {
 void readSowing(Reading& reading, JsonValue value) {
     Checker& checker = reading.checker;
     if (!value.isArray()) {
-        checker.refuse(value, "an array of objects that each say what to sow");
+        checker.refuse(value, "an array of objects that each say what to sow"_later);
         return;
     }
     if (value.count() > static_cast<std::size_t>(kMaxSowings)) {

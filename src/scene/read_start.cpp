@@ -1,3 +1,4 @@
+#include "base/later_text.h"
 #include "scene/limits.h"
 #include "scene/readers.h"
 #include "world/collision.h"
@@ -41,7 +42,7 @@ void checkPosition(Reading& reading, JsonValue value, const Start& start) {
     const World& world = reading.description.world;
     const Map& map = world.maps[static_cast<std::size_t>(start.map)];
     if (!map.contains(start.x.tile(), start.y.tile())) {
-        reading.checker.add(value, "a start outside the map",
+        reading.checker.add(value, "a start outside the map"_later,
                             {"x below ", map.width, " and y below ", map.depth});
         return;
     }
@@ -52,18 +53,19 @@ void checkPosition(Reading& reading, JsonValue value, const Start& start) {
                             .box = body,
                             .eye = {start.x, start.y, start.z + kCrouchedEye},
                             .behind = {}})) {
-            reading.checker.add(value, "a start that reaches through a portal into something solid",
-                                "free room for the player on both sides of a portal");
+            reading.checker.add(value,
+                                "a start that reaches through a portal into something solid"_later,
+                                "free room for the player on both sides of a portal"_later);
             return;
         }
         if (hasWayOut(world, start.map, start.x, start.y, start.z)) return;
-        reading.checker.warn(value, "a start from which the player can walk to no other tile",
+        reading.checker.warn(value, "a start from which the player can walk to no other tile"_later,
                              "a way out with at least 0.35 of free height and no step above 0.79, "
-                             "the height of a jump");
+                             "the height of a jump"_later);
         return;
     }
-    reading.checker.add(value, {"a start that reaches ", obstacle(world, map, body)},
-                        "free room for the player: 0.4 wide and, when crouched, 0.35 high");
+    reading.checker.add(value, {"a start that reaches "_later, obstacle(world, map, body)},
+                        "free room for the player: 0.4 wide and, when crouched, 0.35 high"_later);
 }
 
 // Number keys enter every map; warns of maps where the player would be trapped.
@@ -74,10 +76,11 @@ void checkEntries(Reading& reading) {
         if (index == world.start.map) continue;
         const MapEntry entry = findMapEntry(world, index);
         if (!entry.stands || hasWayOut(world, index, entry.x, entry.y, entry.feet)) continue;
-        reading.checker.warn(reading.mapValues[map],
-                             {"a map that its number key enters at x ", entry.x.tile(), ", y ",
-                              entry.y.tile(), ", from where the player can walk to no other tile"},
-                             "a way out of the free tile nearest to the middle of the map");
+        reading.checker.warn(
+            reading.mapValues[map],
+            {"a map that its number key enters at x "_later, entry.x.tile(), ", y ", entry.y.tile(),
+             ", from where the player can walk to no other tile"_later},
+            "a way out of the free tile nearest to the middle of the map"_later);
     }
 }
 
@@ -85,19 +88,18 @@ void checkEntries(Reading& reading) {
 
 void readStart(Reading& reading, JsonValue value) {
     Checker& checker = reading.checker;
-    const auto fields = checker.fields(value, {"map", "x", "y", "z", "heading", "look"},
-                                       "the start: an object with \"x\" and \"y\"");
+    const auto fields = checker.fields(value, {"map", "place", "x", "y", "z", "heading", "look"},
+                                       "the start: an object with \"x\" and \"y\""_onFault);
     if (!fields) return;
     const std::size_t faultsBefore = checker.count();
     Start& start = reading.description.world.start;
-    if (const auto member = fields->find("map")) {
-        start.map = checker.name(*member, reading.maps, "map").value_or(0);
-    }
-    for (const char* key : {"x", "y"}) fields->require(key, kOnMapRange.words);
-    start.x = toCoordinate(fields->number("x", kOnMapRange, 0.0));
-    start.y = toCoordinate(fields->number("y", kOnMapRange, 0.0));
-    start.z = toCoordinate(fields->number("z", kHeight, 0.0));
-    start.headingDegrees = fields->number("heading", kHeadingRange, 0.0);
+    const auto inMap = fields->mapOr(reading.maps, 0);
+    start.map = inMap.value_or(0);
+    const NamedPlace place = readPosition(reading, value, *fields, false, inMap);
+    start.x = toCoordinate(place.x);
+    start.y = toCoordinate(place.y);
+    start.z = toCoordinate(fields->number("z", kHeight, place.z.value_or(0.0)));
+    start.headingDegrees = fields->number("heading", kHeadingRange, place.heading.value_or(0.0));
     start.look = fields->number("look", kLook, 0.0);
 
     const auto map = static_cast<std::size_t>(start.map);

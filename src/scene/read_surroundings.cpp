@@ -1,5 +1,6 @@
 // What surrounds the blocks of a map: floor, ceiling, light and fog. For the sky see read_sky.cpp,
 // for baked light read_baked_light.cpp.
+#include "base/later_text.h"
 #include "scene/limits.h"
 #include "scene/readers.h"
 
@@ -22,35 +23,40 @@ void readTiles(Reading& reading, const Fields& fields, TextureId own, TextureId 
     Checker& checker = reading.checker;
     Legend legend(own, space);
     if (const auto member = fields.find("legend"))
-        readLegend(checker, *member, reading.textures, "texture", legend);
-    const auto rows = fields.find("tiles");
-    if (!rows) return;
-    if (!rows->isArray()) {
-        checker.refuse(*rows, "an array of rows, as in a level");
+        readLegend(checker, *member, &reading.textures, "texture", legend);
+    if (const auto rows = fields.find("tiles"))
+        readTileRows(reading, *rows, legend, own, map, hasSize, tiles);
+}
+
+}  // namespace
+
+void readTileRows(Reading& reading, JsonValue rows, const Legend& legend, std::uint16_t otherwise,
+                  const Map& map, bool hasSize, std::vector<std::uint16_t>& tiles) {
+    Checker& checker = reading.checker;
+    if (!rows.isArray()) {
+        checker.refuse(rows, "an array of rows, as in a level"_later);
         return;
     }
-    const bool fits = rows->count() == static_cast<std::size_t>(map.depth);
+    const bool fits = rows.count() == static_cast<std::size_t>(map.depth);
     if (hasSize && !fits) {
-        checker.add(*rows, Counted{static_cast<std::int64_t>(rows->count()), "row"},
-                    {Counted{map.depth, "row"}, ", as in the map's levels"});
+        checker.add(rows, Counted{static_cast<std::int64_t>(rows.count()), "row"},
+                    {Counted{map.depth, "row"}, ", as in the map's levels"_later});
     }
     std::vector<std::uint16_t> ids;
     int y = -1;
-    for (const JsonValue row : *rows) {
+    for (const JsonValue row : rows) {
         ++y;
         if (!row.isText()) {
-            checker.refuse(row, "a row: a text with one character for each tile");
+            checker.refuse(row, "a row: a text with one character for each tile"_later);
             continue;
         }
         if (!hasSize) continue;
-        ids.assign(static_cast<std::size_t>(map.width), own);
+        ids.assign(static_cast<std::size_t>(map.width), otherwise);
         readRow(checker, row, y, map.width, legend, ids);
         for (int x = 0; y < map.depth && x < map.width; ++x)
             tiles[map.tileIndex(x, y)] = ids[static_cast<std::size_t>(x)];
     }
 }
-
-}  // namespace
 
 ReadMirror readMirror(Checker& checker, const Fields& fields) {
     const auto share = [&](const char* key) {
@@ -58,8 +64,8 @@ ReadMirror readMirror(Checker& checker, const Fields& fields) {
     };
     const auto ripples = fields.find("ripples");
     if (ripples && !fields.find("mirror"))
-        checker.addAtKey(*ripples, "ripples without a mirror",
-                         "a \"mirror\" beside them: ripples move what it reflects");
+        checker.addAtKey(*ripples, "ripples without a mirror"_later,
+                         "a \"mirror\" beside them: ripples move what it reflects"_later);
     return {share("mirror"), share("ripples")};
 }
 
@@ -71,7 +77,7 @@ void readFloor(Reading& reading, JsonValue value, bool hasSize, Map& map) {
     } else {
         fields = reading.checker.fields(
             value, {"texture", "light", "glow", "mirror", "ripples", "water", "legend", "tiles"},
-            "a texture's name, or an object with \"texture\"");
+            "a texture's name, or an object with \"texture\""_onFault);
         if (!fields) return;
         if (const auto texture = fields->require("texture", "the name of a texture")) {
             map.floor.texture =
@@ -94,14 +100,14 @@ void readFloor(Reading& reading, JsonValue value, bool hasSize, Map& map) {
     const auto& tiles = map.floor.tiles;
     if (map.floor.water != kNoTexture && !tiles.empty() &&
         std::find(tiles.begin(), tiles.end(), map.floor.water) == tiles.end())
-        reading.checker.warn(*fields->find("water"), "a water that no tile of the floor has",
-                             "its texture on some tiles of the floor");
+        reading.checker.warn(*fields->find("water"), "a water that no tile of the floor has"_later,
+                             "its texture on some tiles of the floor"_later);
 }
 
 void readCeiling(Reading& reading, JsonValue value, bool hasSize, Map& map) {
     const auto fields =
         reading.checker.fields(value, {"height", "texture", "light", "glow", "legend", "tiles"},
-                               "a ceiling: an object with \"height\" and \"texture\"");
+                               "a ceiling: an object with \"height\" and \"texture\""_onFault);
     if (!fields) return;
     if (const auto height = fields->require("height", kCeilingHeight.words)) {
         map.ceiling.height =
@@ -118,9 +124,9 @@ void readCeiling(Reading& reading, JsonValue value, bool hasSize, Map& map) {
 }
 
 void readLight(Reading& reading, JsonValue value, Light& light) {
-    const auto fields =
-        reading.checker.fields(value, {"on", "intensity", "multiplier", "darkest", "brightest"},
-                               "an object such as { \"intensity\": 1.5, \"multiplier\": 5 }");
+    const auto fields = reading.checker.fields(
+        value, {"on", "intensity", "multiplier", "darkest", "brightest"},
+        "an object such as { \"intensity\": 1.5, \"multiplier\": 5 }"_onFault);
     if (!fields) return;
     const std::size_t faultsBefore = reading.checker.count();
     const Light normal;
@@ -132,14 +138,15 @@ void readLight(Reading& reading, JsonValue value, Light& light) {
     if (reading.checker.count() == faultsBefore && light.darkest > light.brightest) {
         const auto given =
             fields->find("darkest") ? fields->find("darkest") : fields->find("brightest");
-        reading.checker.add(*given, "a \"darkest\" that is above \"brightest\"",
-                            "\"darkest\" at most \"brightest\"; their defaults are 0.1 and 1");
+        reading.checker.add(
+            *given, "a \"darkest\" that is above \"brightest\""_later,
+            "\"darkest\" at most \"brightest\"; their defaults are 0.1 and 1"_later);
     }
 }
 
 void readFog(Reading& reading, JsonValue value, Fog& fog) {
-    const auto fields = reading.checker.fields(value, {"start", "end"},
-                                               "an object such as { \"start\": 5, \"end\": 40 }");
+    const auto fields = reading.checker.fields(
+        value, {"start", "end"}, "an object such as { \"start\": 5, \"end\": 40 }"_onFault);
     if (!fields) return;
     const std::size_t faultsBefore = reading.checker.count();
     fog.on = true;
@@ -147,8 +154,8 @@ void readFog(Reading& reading, JsonValue value, Fog& fog) {
     const auto end = fields->require("end", kFogEnd.words);
     fog.end = fields->number("end", kFogEnd, 1.0);
     if (reading.checker.count() == faultsBefore && fog.start >= fog.end) {
-        reading.checker.add(*end, "an \"end\" of the fog that is not beyond its \"start\"",
-                            "\"end\" greater than \"start\"");
+        reading.checker.add(*end, "an \"end\" of the fog that is not beyond its \"start\""_later,
+                            "\"end\" greater than \"start\""_later);
     }
 }
 

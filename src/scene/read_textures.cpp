@@ -1,3 +1,4 @@
+#include "base/later_text.h"
 #include "base/name_index.h"
 #include "scene/limits.h"
 #include "scene/readers.h"
@@ -46,7 +47,7 @@ std::optional<std::string> readFileName(Checker& checker, JsonValue value) {
     }
     if (!isPng(*name)) {
         checker.add(value, {"the file name ", quoted(*name)},
-                    "a name that ends in .png; only PNG files are read");
+                    "a name that ends in .png; only PNG files are read"_later);
         return std::nullopt;
     }
     return name;
@@ -75,7 +76,7 @@ TextureReference readPicture(Checker& checker, JsonValue value, bool isTexture) 
             keys.emplace_back("views");
         }
         const auto fields = checker.fields(
-            value, keys, "a PNG file's name, or an object with \"file\" and \"frames\"");
+            value, keys, "a PNG file's name, or an object with \"file\" and \"frames\""_onFault);
         if (!fields) return picture;
         if (const auto file = fields->require("file", "the name of a PNG file"))
             picture.image = referTo(checker, *file, readFileName(checker, *file).value_or(""));
@@ -120,7 +121,7 @@ void readVariants(Reading& reading, JsonValue value, TextureId id) {
     Checker& checker = reading.checker;
     static_assert(kMostVariants == 8, "as the words say");
     if (!value.isArray() || value.count() == 0 || value.count() >= kMostVariants) {
-        checker.refuse(value, "an array of 1 to 7 names of textures");
+        checker.refuse(value, "an array of 1 to 7 names of textures"_later);
         return;
     }
     std::vector<TextureId> pictures = {id};
@@ -136,7 +137,8 @@ void readVariants(Reading& reading, JsonValue value, TextureId id) {
 void readTextures(Reading& reading, JsonValue value) {
     Checker& checker = reading.checker;
     if (!value.isObject()) {
-        checker.refuse(value, "the textures: an object with a PNG file or a colour for each name");
+        checker.refuse(value,
+                       "the textures: an object with a PNG file or a colour for each name"_later);
         reading.textures.takeAny();
         return;
     }
@@ -151,10 +153,7 @@ void readTextures(Reading& reading, JsonValue value) {
     std::vector<std::string> sheets;  // the names in the index; reserved, so that none moves
     sheets.reserve(value.count());
     for (const JsonValue member : value) {
-        if (member.key().empty() || countCharacters(member.key()) > kMaxNameLength) {
-            checker.addAtKey(member, {"the name ", quoted(member.key())},
-                             {"a name of 1 to ", kMaxNameLength, " characters"});
-        }
+        checker.checkName(member);
         // The name of a faulty texture still counts as known.
         TextureReference reference = readPicture(checker, member, true);
         const auto next = static_cast<std::uint32_t>(reading.description.textures.size());
@@ -166,8 +165,8 @@ void readTextures(Reading& reading, JsonValue value) {
         if (id == next) {
             plain += reference.colour.has_value();
             if (plain > kMaxPlainTextures) {
-                checker.add(member, {"more than ", kMaxPlainTextures, " colours as textures"},
-                            {"at most ", kMaxPlainTextures, "; equal colours count as one"});
+                checker.add(member, {"more than ", kMaxPlainTextures, " colours as textures"_later},
+                            {"at most ", kMaxPlainTextures, "; equal colours count as one"_later});
                 reading.textures.takeAny();
                 return;
             }

@@ -23,6 +23,10 @@ namespace slicecast {
 // Ranges that several readers share.
 inline constexpr NumberRange kOnMapRange = {0.0, 4096.0, false,
                                             "a number from 0 to 4096, on the map"};
+inline constexpr NumberRange kTile = {0.0, 4095.0, false,
+                                      "a whole number of a tile, from 0 to 4095"};
+inline constexpr NumberRange kTiles = {1.0, 4096.0, false,
+                                       "a whole number of tiles, from 1 to 4096"};
 inline constexpr NumberRange kObjectSizeRange = {0.0, kMaxObjectSize, true,
                                                  "a number above 0 and at most 64, in units"};
 inline constexpr NumberRange kHeadingRange = {
@@ -61,10 +65,12 @@ struct PlacedPath {
     std::size_t motion;
 };
 
-// What a gate needs, and where the file states it.
+// What a gate or a message needs, and where the file states it.
 struct PlacedNeeds {
+    enum class Of : std::uint8_t { gate, notice, unless };
     JsonValue value;
-    int gate;  // index into World::gateKinds
+    Of of;
+    std::size_t number;  // index into World::gateKinds or Quest::notices
 };
 
 // A message of an area, and where the file states it.
@@ -94,6 +100,20 @@ struct ReadClouds {
 
 struct Placing;
 
+// A place of a map that has a name, or one that is given by x and y.
+struct NamedPlace {
+    JsonValue value;
+    double x = 0.0;
+    double y = 0.0;
+    std::optional<double> z = {};
+    std::optional<double> heading = {};
+    bool isUsed = false;
+};
+struct Places {
+    NameTable names;  // index into `places`
+    std::vector<NamedPlace> places;
+};
+
 // What the readers share.
 struct Reading {
     Checker& checker;
@@ -105,7 +125,10 @@ struct Reading {
     NameTable maps;        // index into World::maps
     bool areBlueprintsSound = false;
     std::vector<bool> isMapSound;
-    std::int64_t cells = 0;  // of all maps so far
+    std::int64_t cells = 0;                           // of all maps so far
+    std::int64_t filledCells = 0;                     // those that rows and fills set
+    std::vector<Places> places = {};                  // of each map
+    std::vector<std::vector<JsonValue>> levels = {};  // of each map, those that repeat repeated
     std::vector<PlacedMotion> placedMotions = {};
     std::vector<SowingOrder> sowings = {};
     NameTable motions = {};  // index into World::motions
@@ -148,6 +171,9 @@ void readSprites(Reading& reading, JsonValue value);
 // motion } ]; they are checked to be on the map where `hasSize`.
 void readObjects(Reading& reading, JsonValue value, bool hasSize, Map& map);
 
+// "objectRows" of a map: { legend, rows }; the legend has objects without x and y.
+void readObjectRows(Reading& reading, JsonValue value, bool hasSize, Map& map);
+
 // "motion" of an object: { kind, speed, heading, reach, path, loop, alert, solid, sprites }
 struct ReadMotion {
     ObjectMotion motion;
@@ -159,13 +185,15 @@ ReadMotion readObjectMotion(Reading& reading, JsonValue value);
 // The paths of objects that patrol. Call it when all maps have been read.
 void placePaths(Reading& reading);
 
-// "find" and "message" of the next map's object with this index.
-void readFind(Reading& reading, JsonValue value, int object);
-void readObjectMessage(Reading& reading, JsonValue value, int object);
-// "find" alone: its kind and its message.
+// "find" and "message" of an object: its kind and its message; when it is shown.
 std::optional<Find> readFindKind(Reading& reading, JsonValue value);
+Notice readObjectMessage(Reading& reading, JsonValue value);
+// Of the next map's object with this index.
+void placeFind(Reading& reading, JsonValue value, Find find, int object);
+void placeObjectMessage(Reading& reading, JsonValue value, Notice notice, int object);
 
-// "messages" of the next map: [ { text, x, y, width, depth, bottom, top, near, once } ]
+// "messages" of the next map: [ { text, place, x, y, width, depth, bottom, top, near, once, needs,
+// unless } ]
 void readMessages(Reading& reading, JsonValue value);
 
 // "game": { aim, needs, at, message }, and the needs of gates. Call it when everything else has
@@ -212,8 +240,8 @@ void readBlueprints(Reading& reading, JsonValue value);
 // far } ]
 void readMaps(Reading& reading, JsonValue value);
 
-// "levels" of a map: its size and cells.
-void readLevels(Reading& reading, JsonValue value, const Legend& legend, Map& map);
+// "levels" of a map, and its "size", which levels without rows need: its size and cells.
+void readLevels(Reading& reading, JsonValue value, FoundValue size, const Legend& legend, Map& map);
 
 // "mirror" of a roof or floor: how much of what is above shows in it; and "ripples": how far waves
 // move that. Both from 0 to 1, as shares of 255.
@@ -222,6 +250,20 @@ struct ReadMirror {
     std::uint8_t ripples = 0;
 };
 ReadMirror readMirror(Checker& checker, const Fields& fields);
+
+// "places" of the last map: { NAME: { x, y, z, heading } }
+void readPlaces(Reading& reading, JsonValue value, bool hasSize, const Map& map);
+
+// The place with this name. A map that is not known has every place, somewhere.
+NamedPlace findPlace(Reading& reading, JsonValue value, std::optional<std::uint16_t> map);
+
+// "x" and "y" of a tile or a point, or the "place" of the map that has them.
+NamedPlace readPosition(Reading& reading, JsonValue value, const Fields& fields, bool isTile,
+                        std::optional<std::uint16_t> map);
+
+// Rows with a character for each tile; `tiles` has a number for each already.
+void readTileRows(Reading& reading, JsonValue rows, const Legend& legend, std::uint16_t otherwise,
+                  const Map& map, bool hasSize, std::vector<std::uint16_t>& tiles);
 
 // The surroundings of a map whose size is known; a grid of tiles is only looked at where `hasSize`.
 void readFloor(Reading& reading, JsonValue value, bool hasSize, Map& map);

@@ -79,9 +79,10 @@ ParsedScene parseScene(std::string_view text, const std::string& fileName,
                        const Progress& progress = {});
 
 // What a player is to get to, and where the file states it: some of the world's finds, a notice,
-// the gates of a kind, the goal, or a block. For findUnreached in unreached.h.
+// the gates of a kind, the goal, or a block. Or what is a mistake by itself: light that dims baked
+// light, and a place that nothing names. For findUnreached in unreached.h.
 struct Aim {
-    enum class What : std::uint8_t { finds, notice, gates, goal, block };
+    enum class What : std::uint8_t { finds, notice, gates, goal, block, light, place };
     What what = What::finds;
     // Index into Quest::finds, Quest::notices, World::gateKinds or World::blueprints
     std::size_t first = 0;

@@ -104,6 +104,8 @@ std::string unreached(const World& world, const Footways& ways, const Aim& aim) 
             return unreachedGates(world, ways, aim.first);
         case Aim::What::goal:
         case Aim::What::block:
+        case Aim::What::light:
+        case Aim::What::place:
             break;
     }
     const std::optional<Goal>& goal = world.quest.goal;
@@ -128,6 +130,16 @@ std::vector<Fault> findUnreached(const LoadedScene& scene) {
             if (!stands[aim.first])
                 warn(aim, "a blueprint that stands in no map",
                      "its letter of the legend in the rows of a level");
+            continue;
+        }
+        if (aim.what == Aim::What::light) {
+            warn(aim, "baked light in a map whose \"light\" is on: it grows dark with the distance",
+                 "\"light\": { \"on\": false } beside \"baked\"");
+            continue;
+        }
+        if (aim.what == Aim::What::place) {
+            warn(aim, "a place that nothing names",
+                 "its name as the \"place\" of something, or no such place");
             continue;
         }
         if (!ways) ways.emplace(*scene.world);

@@ -1,5 +1,6 @@
 // Warns of what a scene has that no player can get to on foot: finds, messages, gates, and the
-// goal. And of blueprints that stand nowhere.
+// goal. And of blueprints that stand nowhere, places that nothing names, and baked light that the
+// map's light dims.
 //
 //     for (const Fault& warning : findUnreached(loaded)) ...
 //

@@ -1,63 +1,12 @@
 #include "session/old_ways.h"
 
+#include "base/later_text.h"
+
 #include <algorithm>
 #include <array>
 
 namespace slicecast {
 namespace {
-
-constexpr auto kOldWays = std::to_array<OldWay>({
-    {"Fish eye",
-     "Columns at equal angles, heights by the distance along the ray: straight walls bulge.",
-     "classic.projection=equalAngles"},
-    {"Half a fish eye",
-     "Equal angles, and the distance times the cosine: the wall ahead is straight, others bend.",
-     "classic.projection=equalAnglesCorrected"},
-    {"Marching with a step",
-     "Rays look for walls every fifth of a unit: edges are ragged, thin corners are missed.",
-     "classic.march=on classic.step=0.2"},
-    {"Marching that gives up", "Rays end after eight units: anything further away is missing.",
-     "classic.march=on classic.step=0.02 classic.reach=8"},
-    {"A coarse sine table",
-     "A table with one entry per degree: groups of columns look the same way.",
-     "classic.projection=equalAnglesCorrected classic.sineSteps=360"},
-    {"Big pixels", "Each colour fills eight by eight pixels, as on a slow computer.",
-     "classic.pixelSize=8"},
-    {"Stretched textures", "One picture over a whole wall: bricks grow with its height.",
-     "classic.stretched=on"},
-    {"Mirrored letters",
-     "Textures are not turned for each side: on two of four faces letters are mirrored.",
-     "classic.mirroredTextures=on"},
-    {"Painter's order",
-     "Blocks are painted from far to near by the distance of their middles, which fails where they "
-     "interlock.",
-     "classic.painter=on"},
-    {"One level", "All blocks are one unit high and stand on the floor: the first hides the rest.",
-     "classic.oneLevel=on"},
-    {"One hit per level",
-     "Each level shows its first block: behind a low wall houses have no ground floor.",
-     "classic.firstHits=on"},
-    {"Roofs of one colour", "Tops of blocks have no texture yet.", "classic.roofs=flat"},
-    {"No roofs", "Only walls are drawn: you look over them at the things behind.",
-     "classic.roofs=missing"},
-    {"The own tile is missing", "The roof under your feet and the blocks above you are not drawn.",
-     "classic.noOwnCell=on"},
-    {"Seams", "Walls begin one row too low: lines between stacked blocks.", "classic.seams=on"},
-    {"A drifting horizon", "When you fly up, the horizon sinks as if you were looking up.",
-     "classic.driftingHorizon=on"},
-    {"One depth per column",
-     "A low wall hides all of a tree behind it: each column has only one distance.",
-     "classic.columnDepth=on"},
-    {"Objects in a wrong scale",
-     "Objects scale with the picture's height, walls with its width: objects shrink and float.",
-     "classic.wrongScale=on"},
-    {"A flipped reflection",
-     "Floors copy the picture above them upside down, instead of mirroring the scene.",
-     "classic.flippedMirrors=on"},
-    {"Portals drawn over",
-     "The view through a portal covers the things in front of it, except at its two ends.",
-     "classic.portalsOverdrawn=on"},
-});
 
 bool hasMirrorsAboveFloor(const World& world) {
     return std::any_of(
@@ -79,7 +28,74 @@ bool hasJoinedBlocks(const World& world) {
 }  // namespace
 
 std::span<const OldWay> knownOldWays() {
-    return kOldWays;
+    // No first picture needs them.
+    static const auto kWays = std::to_array<OldWay>({
+        {"Fish eye"_later,
+         "Columns at equal angles, heights by the distance along the "
+         "ray: straight walls bulge."_later,
+         "classic.projection=equalAngles"_later},
+        {"Half a fish eye"_later,
+         "Equal angles, and the distance times the cosine: the wall "
+         "ahead is straight, others bend."_later,
+         "classic.projection=equalAnglesCorrected"_later},
+        {"Marching with a step"_later,
+         "Rays look for walls every fifth of a unit: edges are "
+         "ragged, thin corners are missed."_later,
+         "classic.march=on classic.step=0.2"_later},
+        {"Marching that gives up"_later,
+         "Rays end after eight units: anything further away is missing."_later,
+         "classic.march=on classic.step=0.02 classic.reach=8"_later},
+        {"A coarse sine table"_later,
+         "A table with one entry per degree: groups of columns look the same way."_later,
+         "classic.projection=equalAnglesCorrected classic.sineSteps=360"_later},
+        {"Big pixels"_later,
+         "Each colour fills eight by eight pixels, as on a slow computer."_later,
+         "classic.pixelSize=8"_later},
+        {"Stretched textures"_later,
+         "One picture over a whole wall: bricks grow with its height."_later,
+         "classic.stretched=on"_later},
+        {"Mirrored letters"_later,
+         "Textures are not turned for each side: on two of four faces letters are mirrored."_later,
+         "classic.mirroredTextures=on"_later},
+        {"Painter's order"_later,
+         "Blocks are painted from far to near by the distance of their middles, which fails where "
+         "they "
+         "interlock."_later,
+         "classic.painter=on"_later},
+        {"One level"_later,
+         "All blocks are one unit high and stand on the floor: the first hides the rest."_later,
+         "classic.oneLevel=on"_later},
+        {"One hit per level"_later,
+         "Each level shows its first block: behind a low wall houses have no ground floor."_later,
+         "classic.firstHits=on"_later},
+        {"Roofs of one colour"_later, "Tops of blocks have no texture yet."_later,
+         "classic.roofs=flat"_later},
+        {"No roofs"_later, "Only walls are drawn: you look over them at the things behind."_later,
+         "classic.roofs=missing"_later},
+        {"The own tile is missing"_later,
+         "The roof under your feet and the blocks above you are not drawn."_later,
+         "classic.noOwnCell=on"_later},
+        {"Seams"_later, "Walls begin one row too low: lines between stacked blocks."_later,
+         "classic.seams=on"_later},
+        {"A drifting horizon"_later,
+         "When you fly up, the horizon sinks as if you were looking up."_later,
+         "classic.driftingHorizon=on"_later},
+        {"One depth per column"_later,
+         "A low wall hides all of a tree behind it: each column has only one distance."_later,
+         "classic.columnDepth=on"_later},
+        {"Objects in a wrong scale"_later,
+         "Objects scale with the picture's height, walls with its "
+         "width: objects shrink and float."_later,
+         "classic.wrongScale=on"_later},
+        {"A flipped reflection"_later,
+         "Floors copy the picture above them upside down, instead of mirroring the scene."_later,
+         "classic.flippedMirrors=on"_later},
+        {"Portals drawn over"_later,
+         "The view through a portal covers the things in front of it, "
+         "except at its two ends."_later,
+         "classic.portalsOverdrawn=on"_later},
+    });
+    return kWays;
 }
 
 std::vector<std::string> leftOut(const World& world, const SessionOptions& options) {

@@ -48,14 +48,19 @@ void takeFinds(World& world, const Player& player, const Box& body) {
     unlockGates(world);
 }
 
+bool isWanted(const Quest& quest, const Notice& notice) {
+    return holds(quest, notice.needs) && (notice.unless.none() || !holds(quest, notice.unless));
+}
+
 // Takes one of the `looks` for a look into the player's sight; says no if none is left.
 bool isShown(const World& world, const Player& player, const Box& body, const Notice& notice,
              int& looks) {
     if (notice.map != player.map) return false;
     const Coordinate near = notice.isNear ? notice.near + kAway : notice.near;
-    if (notice.object < 0) return areWithin(body, notice.area, near);
+    if (notice.object < 0)
+        return areWithin(body, notice.area, near) && isWanted(world.quest, notice);
     const Object& object = objectOf(world, notice.map, notice.object);
-    if (!areWithin(body, objectBody(object), near)) return false;
+    if (!areWithin(body, objectBody(object), near) || !isWanted(world.quest, notice)) return false;
     if (notice.isNear) return true;
     if (--looks < 0) return false;
     return isInSight(

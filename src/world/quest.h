@@ -72,6 +72,8 @@ struct Notice {
     Coordinate near;  // units from the player's body, 0 if it must touch
     bool once = false;
     std::string text;
+    Needs needs = {};   // shown only to a player who has these finds
+    Needs unless = {};  // and not once these are there, if there are any
 
     bool isNear = false;
     bool wasShown = false;

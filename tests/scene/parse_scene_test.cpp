@@ -103,7 +103,7 @@ TEST(ParseScene, ReadsEveryKey) {
         EXPECT_EQ(world.blueprints[slab].faces[face].light, lights[face]) << kFaceNames[face];
     }
 
-    ASSERT_EQ(world.maps.size(), 6u);
+    ASSERT_EQ(world.maps.size(), 7u);
     const Map& hall = world.maps[0];
     EXPECT_EQ(hall.name, "hall");
     EXPECT_EQ(hall.width, 5);
@@ -162,10 +162,10 @@ TEST(ParseScene, ReadsEveryKey) {
     EXPECT_EQ(bird.light, 0.5);
     EXPECT_TRUE(bird.glow);
 
-    // First the three moving objects of the map and one of the dock, then the sown bushes and
+    // First the three moving objects of the map and two of the dock, then the sown bushes and
     // birds.
     const std::vector<ObjectMotion>& motions = world.movingObjects.motions;
-    ASSERT_EQ(motions.size(), hall.objects.size() - 4 + 1);
+    ASSERT_EQ(motions.size(), hall.objects.size() - 4 + 2);
     EXPECT_EQ(motions[0].kind, ObjectMotion::Kind::pace);
     EXPECT_EQ(motions[0].map, 0);
     EXPECT_EQ(motions[0].object, 2);
@@ -201,9 +201,9 @@ TEST(ParseScene, ReadsEveryKey) {
         EXPECT_FALSE(sown.glow);
         onFloor = onFloor || (sown.z.raw >= 16384 && sown.z.raw <= 32768);
         onWall = onWall || (sown.z.raw >= 65536 + 16384 && sown.z.raw <= 65536 + 32768);
-        EXPECT_EQ(motions[i - 3].object, static_cast<int>(i));
-        EXPECT_EQ(motions[i - 3].headingDegrees, 90.0);
-        EXPECT_EQ(motions[i - 3].reach.raw, 131072);
+        EXPECT_EQ(motions[i - 2].object, static_cast<int>(i));
+        EXPECT_EQ(motions[i - 2].headingDegrees, 90.0);
+        EXPECT_EQ(motions[i - 2].reach.raw, 131072);
     }
     EXPECT_TRUE(onFloor);
     EXPECT_TRUE(onWall);
@@ -686,6 +686,47 @@ TEST(LoadScene, TellsTheFaultsOfImagesThatWereDecodedEarly) {
         EXPECT_FALSE(expected.empty());
         EXPECT_EQ(loadScene(parsed(), files, std::move(early)).faults, expected);
     }
+}
+
+// Each object of a scene that has every key.
+TEST(ParseScene, LeavesDataAlone) {
+    const std::string text = readText(sceneTestFolder() / "everything.json");
+    const LoadedScene before = loadText(text);
+    ASSERT_TRUE(before.world) << inWords(before.faults);
+    int objects = 0;
+    std::string with;
+    for (std::size_t i = 0; i < text.size(); ++i) {
+        with += text[i];
+        // What has a comment has no other keys but its own
+        if (text.compare(i, 11, "\"comment\": ") != 0 || text.compare(i, 12, "\"comment\": 7") == 0)
+            continue;
+        if (++objects == 1) continue;  // the scene has some
+        with.insert(
+            with.size() - 1,
+            "\"data\": { \"x\": [1, { \"faces\": null, \"comment\": [] }], \"\": -0.5e3 }, ");
+    }
+    EXPECT_GT(objects, 30);
+    const LoadedScene after = loadText(with);
+    EXPECT_EQ(inWords(after.faults), "");
+    ASSERT_TRUE(after.world);
+    ASSERT_EQ(after.world->maps.size(), before.world->maps.size());
+    for (std::size_t i = 0; i < before.world->maps.size(); ++i)
+        EXPECT_EQ(after.world->maps[i].cells, before.world->maps[i].cells);
+    EXPECT_EQ(after.warnings.size(), before.warnings.size());
+}
+
+TEST(ParseScene, CountsDataAsPartOfTheText) {
+    const auto faults = [](const std::string& data) {
+        return parseScene(smallScene(R"([["###", "#.#", "###"]])", "\"data\": " + data),
+                          "test.json")
+            .faults;
+    };
+    EXPECT_EQ(inWords(faults("[[[[1]]]]")), "");
+    ASSERT_EQ(faults(std::string(40, '[') + std::string(40, ']')).size(), 1u);
+    std::string many = "[0";
+    for (int i = 0; i < 2'000'000; ++i) many += ",0";
+    ASSERT_EQ(faults(many + "]").size(), 1u);
+    EXPECT_EQ(faults(many + "]")[0].found, "more than 2000000 values");
 }
 
 }  // namespace

@@ -74,6 +74,26 @@ TEST(QuestScenes, AreReadWhole) {
     EXPECT_EQ(loaded.world->gateKinds[0].locked, "No.");
 }
 
+TEST(QuestScenes, MessagesMayAskForFinds) {
+    std::string coins = kCoins;
+    coins.insert(coins.find(R"("once": true)"), R"("needs": "coin", "unless": 3, )");
+    const LoadedScene loaded = loadText(hunt(
+        "", "",
+        coins +
+            R"(, "messages": [{ "text": "Here", "x": 1, "y": 1, "unless": ["key", "coin", "coin"] },
+                   { "text": "There", "x": 1, "y": 1, "needs": 9 }])"));
+    ASSERT_EQ(inWords(loaded.faults), "");
+    const std::vector<Notice>& notices = loaded.world->quest.notices;
+    ASSERT_EQ(notices.size(), 3u);
+    EXPECT_EQ(inWords(notices[0].needs), "1 of 0");
+    EXPECT_EQ(notices[0].unless.any, 3);
+    EXPECT_TRUE(notices[1].needs.none());
+    EXPECT_EQ(inWords(notices[1].unless), "1 of 1, 2 of 0");
+    EXPECT_EQ(notices[2].needs.any, 9);
+    ASSERT_EQ(loaded.warnings.size(), 1u);
+    EXPECT_EQ(loaded.warnings[0].pointer, "/maps/0/messages/1/needs");
+}
+
 TEST(QuestScenes, AGameNeedsAllFindsByItself) {
     const LoadedScene loaded = loadText(hunt("", R"("game": { "aim": "Take all." },)", kCoins));
     ASSERT_EQ(inWords(loaded.faults), "");

@@ -60,6 +60,29 @@ TEST(Unreached, MayBeABlockThatStandsNowhere) {
               "expected its letter of the legend in the rows of a level");
 }
 
+TEST(Unreached, MayBeAPlaceThatNothingNames) {
+    const std::pair<const char*, const char*> place = {
+        R"("name": "yard",)", R"("name": "yard", "places": { "well": { "x": 1.5, "y": 1.5 } },)"};
+    EXPECT_NE(
+        unreachedAfter({place}).find("(/maps/0/places/well): found a place that nothing names"),
+        std::string::npos);
+    EXPECT_EQ(
+        unreachedAfter({place, {R"("map": "yard", "x": 1.5, "y": 1.5)", R"("place": "well")"}})
+            .find("/places"),
+        std::string::npos);
+}
+
+TEST(Unreached, MayBeBakedLightThatIsDimmed) {
+    const auto lines = [](const char* light) {
+        const std::string baked = std::string(R"("name": "loft", "baked": {})") + light + ",";
+        return unreachedAfter({{R"("name": "loft",)", baked.c_str()}});
+    };
+    EXPECT_NE(lines("").find("(/maps/1/baked): found baked light in a map whose \"light\" is on"),
+              std::string::npos);
+    EXPECT_NE(lines(R"(, "light": { "darkest": 0.5 })").find("/baked"), std::string::npos);
+    EXPECT_EQ(lines(R"(, "light": { "on": false })").find("/baked"), std::string::npos);
+}
+
 TEST(Unreached, MayMove) {
     const std::string lines = unreachedAfter(
         {{R"("find": "key",)", R"("find": "key", "motion": { "kind": "wander", "speed": 1 },)"}});

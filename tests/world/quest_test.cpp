@@ -187,6 +187,35 @@ TEST(Notices, AppearOnceForEachVisit) {
     EXPECT_EQ(stage.news[2].text, "Here");
 }
 
+TEST(Notices, MayAskForFinds) {
+    World world = emptyWorld(12, 3, 1);
+    world.quest.kinds.push_back({.name = "key"});
+    Notice notice;
+    notice.area = {tileEdge(5), tileEdge(6), tileEdge(0), tileEdge(3), {}, tileEdge(2)};
+    notice.text = "Bring the key";
+    notice.unless.kinds = {{0, 1}};
+    world.quest.notices.push_back(notice);
+    notice.text = "Thanks";
+    notice.needs.kinds = {{0, 1}};
+    notice.unless = {};
+    notice.once = true;
+    world.quest.notices.push_back(notice);
+    Stage stage(std::move(world), 5.5, 1.5);
+    stage.stepFor(0.2);
+    ASSERT_EQ(stage.news.size(), 1u);
+    EXPECT_EQ(stage.news[0].text, "Bring the key");
+    // Where the player stands, too
+    stage.world.quest.kinds[0].taken = 1;
+    stage.stepFor(0.2);
+    ASSERT_EQ(stage.news.size(), 2u);
+    EXPECT_EQ(stage.news[1].text, "Thanks");
+    stage.putPlayer(2.5, 1.5);
+    stage.step();
+    stage.putPlayer(5.5, 1.5);
+    stage.step();
+    EXPECT_EQ(stage.news.size(), 2u);
+}
+
 TEST(Notices, OfObjectsNeedThemInSight) {
     World world = emptyWorld(12, 3, 1);
     putBlock(world, 5, 1, {}, 1.0_u);

@@ -480,6 +480,48 @@ std::string sownOnNames() {
     return scene.text();
 }
 
+// As many objects by character as there can be, each with a lamp or a motion, some with finds.
+std::string manyObjectRows() {
+    Scene scene;
+    scene.levels = "[]";
+    scene.map =
+        R"(,"size":[256,256],"objectRows":{"legend":{
+"o":{"sprite":"s","height":0.3,"lamp":{"radius":1},"heading":45},
+"m":{"sprite":"s","height":0.3,"motion":{"kind":"wander","speed":1}},
+"f":{"sprite":"s","height":0.3,"find":"a","message":"m"}},"rows":)" +
+        level(256, 256, [](int x, int y) { return y < 16              ? 'm'
+                                                  : y < 20 && x < 200 ? 'f'
+                                                                      : 'o'; }) +
+        "}";
+    return scene.text();
+}
+
+// Tiles that take no text, sown again and again.
+std::string sownOnFilled() {
+    Scene scene;
+    scene.levels = R"({"fill":"."})" + emptyLevels(30);
+    scene.map = R"(,"size":[500,500],"ceiling":{"texture":"a","height":0.9},"sow":[)" +
+                listOf(32, [](int) { return R"({"sprite":"s","density":1,"height":1})"; }) + "]";
+    return scene.text();
+}
+
+// Levels that are filled by rectangles, one over another, and repeated; a quarter of the blocks
+// move.
+std::string filledLevels() {
+    Scene scene;
+    scene.motions = R"("m":{"moves":"both","to":0.2,"period":1})";
+    scene.blueprints = R"("b":{"top":0.5,"faces":"a","motion":"m"},"c":{"top":0.5,"faces":"a"})";
+    scene.legend = R"("b":"b","c":"c")";
+    const std::string rectangles = listOf(88, [](int y) {
+        return R"({"character":")" + std::string(y % 2 == 0 ? "c" : "b") + R"(","x":3,"y":)" +
+               ::text(y) + R"(,"width":85})";
+    });
+    scene.levels = R"({"repeat":16,"levels":[{"fill":[)" + rectangles +
+                   R"(]},{"fill":[{"character":"c","x":3,"y":0,"width":85,"depth":88}]}]})";
+    scene.map = R"(,"size":[88,88])";
+    return scene.text();
+}
+
 std::string manyBlueprints() {
     Scene scene;
     scene.blueprints = listOf(8000, [](int i) { return "\"" + ::text(i) + R"(":{"faces":"a"})"; });
@@ -756,6 +798,9 @@ constexpr Case kCases[] = {
     {"sowings", manySowings, 3},
     {"sown in vain", sownInVain, 3},
     {"sown on names", sownOnNames, 3},
+    {"object rows", manyObjectRows, 10},
+    {"sown on filled", sownOnFilled, 3},
+    {"filled levels", filledLevels, 10},
     {"blueprints", manyBlueprints, 3},
     {"colours", manyColours, 3},
     {"sprites", manySprites, 3},

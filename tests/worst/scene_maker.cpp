@@ -294,23 +294,40 @@ private:
         const Json* const maps = member(scene_, "maps");
         if (maps == nullptr || !maps->IsArray()) return;
         for (const Json& map : maps->GetArray()) {
+            if (const Json* const places = member(map, "places"); places && places->IsObject())
+                for (const auto& each : places->GetObject())
+                    names_["named place"].push_back(each.name.GetString());
             const std::string_view name = textOf(member(map, "name"));
             names_["map"].emplace_back(name);
         }
+    }
+
+    // Of a level, which is rows or may have some over what fills it.
+    static const Json& rowsOf(const Json& level) {
+        const Json* const rows = member(level, "rows");
+        return rows != nullptr ? *rows : level;
     }
 
     // Notes the size of a map and the characters of a legend that hold within an object.
     void enter(const Json& object) {
         if (const Json* const levels = member(object, "levels")) {
             if (levels->IsArray())
-                for (const Json& rows : levels->GetArray())
+                for (const Json& level : levels->GetArray()) {
+                    const Json& rows = rowsOf(level);
                     if (rows.IsArray() && !rows.Empty() && rows[0].IsString()) {
                         depth_ = static_cast<int>(rows.Size());
                         width_ = static_cast<int>(fromUtf8(textOf(rows.Begin())).size());
                         levels_ = static_cast<int>(levels->Size());
                         break;
                     }
-        } else if (object.HasMember("texture") || &object == &scene_) {
+                }
+            const Json* const size = member(object, "size");
+            if (size != nullptr && size->IsArray() && size->Size() == 2 && (*size)[0].IsInt() &&
+                (*size)[1].IsInt()) {
+                width_ = (*size)[0].GetInt();
+                depth_ = (*size)[1].GetInt();
+            }
+        } else if (object.HasMember("texture") || object.HasMember("rows") || &object == &scene_) {
             characters_.clear();
         }
         const Json* const legend = member(object, "legend");
@@ -327,7 +344,8 @@ private:
             value = made(schema, about);
         } else if (value.IsObject()) {
             enter(value);
-            if (value.HasMember("levels") && random_.oneIn(12)) return resize(value);
+            if (value.HasMember("levels") && value.HasMember("floor") && random_.oneIn(12))
+                return resize(value);
             Json* const inner =
                 value.ObjectEmpty() || random_.oneIn(3) ? nullptr : heavyMember(value, *way.schema);
             if (inner == nullptr) return changeObject(value, way);
@@ -398,7 +416,7 @@ private:
     // Of an object whose keys are names or characters.
     void changeNamed(Json& object, const Way& way) {
         const Json& schema = (*way.schema)["additionalProperties"];
-        if (isLegend(*way.schema) && random_.oneIn(4)) {
+        if (isLegend(*way.schema) && !schema.HasMember("$ref") && random_.oneIn(4)) {
             // A character for every blueprint
             char32_t next = 0x4e00;
             for (const std::string& name : names_["blueprint"])
@@ -534,10 +552,23 @@ private:
     void resize(Json& map) {
         const int width = random_.between(1, std::min(maker_.widest_, 1 + 2 * width_));
         const int depth = random_.between(1, std::min(maker_.widest_, 1 + 2 * depth_));
-        for (Json& rows : map["levels"].GetArray()) resizeRows(rows, width, depth);
+        resizeLevels(map["levels"], width, depth);
+        Json size(rapidjson::kArrayType);
+        size.PushBack(width, memory_).PushBack(depth, memory_);
+        if (map.HasMember("size")) map["size"] = size;
         for (const char* const plane : {"floor", "ceiling"})
             if (Json* const whole = member(map, plane); whole != nullptr && whole->IsObject())
                 if (Json* const tiles = member(*whole, "tiles")) resizeRows(*tiles, width, depth);
+        if (Json* const objects = member(map, "objectRows"); objects != nullptr)
+            if (Json* const rows = member(*objects, "rows")) resizeRows(*rows, width, depth);
+    }
+    void resizeLevels(Json& levels, int width, int depth) {
+        if (!levels.IsArray()) return;
+        for (Json& level : levels.GetArray()) {
+            if (Json* const repeated = member(level, "levels"))
+                resizeLevels(*repeated, width, depth);
+            resizeRows(const_cast<Json&>(rowsOf(level)), width, depth);
+        }
     }
     void resizeRows(Json& rows, int width, int depth) {
         if (!rows.IsArray() || rows.Empty()) return;
@@ -568,13 +599,44 @@ private:
             return Json(
                 (*choices)[static_cast<unsigned>(random_.below(static_cast<int>(choices->Size())))],
                 memory_);
+        if (textOf(member(one, "title")) == "Data") return madeData(3);
         const std::string_view type = textOf(member(one, "type"));
         if (type == "boolean") return Json(random_.oneIn(2));
         if (type == "number" || type == "integer") return madeNumber(one, type == "integer");
+        if (textOf(member(one, "title")) == "Character") {
+            const char32_t sign = character();
+            return text(toUtf8({&sign, 1}));
+        }
         if (type == "string") return madeText(one, way.about);
         if (type == "array") return madeArray(one, way.about);
         if (type == "object") return madeObject(one, way.about);
         return Json();
+    }
+
+    // Any JSON, with objects and arrays at most so deep.
+    Json madeData(int depth) {
+        switch (random_.below(depth > 0 ? 6 : 4)) {
+            case 0:
+                return Json(random_.unit());
+            case 1:
+                return text("levels");
+            case 2:
+                return Json(random_.oneIn(2));
+            case 3:
+                return Json();
+            case 4: {
+                Json array(rapidjson::kArrayType);
+                for (int i = random_.below(3); i >= 0; --i)
+                    array.PushBack(madeData(depth - 1), memory_);
+                return array;
+            }
+            default: {
+                Json object(rapidjson::kObjectType);
+                for (const char* const key : {"comment", "x", ""})
+                    if (random_.oneIn(2)) set(object, text(key), madeData(depth - 1));
+                return object;
+            }
+        }
     }
 
     Json madeNumber(const Json& schema, bool isWhole) {
@@ -663,12 +725,33 @@ private:
         return array;
     }
 
+    // The keys that one of the ways to write an object needs, by chance, if it has ways.
+    const Json* alternative(const Json& schema) {
+        const auto ways = alternatives(schema);
+        return ways[static_cast<std::size_t>(random_.below(int{ways.size()}))];
+    }
+    static bool isAlternative(const Json& schema, const Json& name) {
+        const auto ways = alternatives(schema);
+        return std::any_of(ways.begin(), ways.end(),
+                           [&](const Json* way) { return isListed(way, name); });
+    }
+    static std::array<const Json*, 2> alternatives(const Json& schema) {
+        const Json* const one = member(schema, "if");
+        const Json* const needed = one != nullptr ? member(*one, "required") : nullptr;
+        const Json* const other = member(schema, "else");
+        if (needed == nullptr || other == nullptr) return {};
+        return {needed, member(*other, "required")};
+    }
+
     Json madeObject(const Json& schema, const std::string& about) {
         Json object(rapidjson::kObjectType);
         if (const Json* const known = member(schema, "properties")) {
             const Json* const required = member(schema, "required");
+            const Json* const chosen = alternative(schema);
             const int rarity = 2 + random_.below(6);
             for (const auto& each : known->GetObject()) {
+                if (isListed(chosen, each.name)) set(object, each.name, made(each.value, about));
+                if (isAlternative(schema, each.name)) continue;
                 const bool isNew = metOf(each.value) == 0 && random_.oneIn(2);
                 if (isNew || isListed(required, each.name) || random_.oneIn(rarity))
                     set(object, each.name, made(each.value, about));

@@ -45,8 +45,8 @@ export function sceneReference() {
 }
 
 function section({ id, title, description, keys }, kinds, examples) {
-  // Every object may have a comment; one row for all is enough.
-  const listed = keys.filter(({ name }) => name !== 'comment' || id === 'scene');
+  // Every object may have a comment and data; one row for all is enough.
+  const listed = keys.filter(({ name }) => !['comment', 'data'].includes(name) || id === 'scene');
   const rows = listed.map((key) => row(id, key, kinds, examples.get(`${id}.${key.name}`)));
   const guide = kGuide[id]?.replace('.md', '.html');
   const heads = ['Key', 'Takes', 'Default', 'Example', 'What it does'];

@@ -14,6 +14,7 @@ const kSaid = {
   textureName: 'the name of a texture',
   rows: 'rows of characters',
   legend: 'a name for each character',
+  data: 'any JSON',
   groundName: '<code>floor</code> or the name of a blueprint',
 };
 // Better titles than the schema's, which need their context.
@@ -46,7 +47,7 @@ export function objectKinds(schema) {
       const followed = nodeAt(schema.definitions[name], name);
       return nodes.set(raw, followed).get(raw);
     }
-    if (kSaid[id] !== undefined) node.said = kSaid[id];
+    if (kSaid[id] !== undefined && !raw.additionalProperties?.$ref) node.said = kSaid[id];
     else if (raw.anyOf && !raw.properties) {
       for (const each of raw.anyOf) variants.set(each, raw);
       node.variants = raw.anyOf.map((each) => nodeAt(each, id));
