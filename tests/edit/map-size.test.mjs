@@ -60,11 +60,12 @@ function placesOfSchema() {
 
 test('all places that a scene can say are known', () => {
   const known = Object.entries(kPlaces).flatMap(([path, { keys }]) =>
-    keys.map((key) => `${path}.${key}`),
+    keys.map((key) => `${path.replaceAll('{}', '.*')}.${key}`),
   );
   const other = ['maps[].sow[].above']; // over the ground, wherever that is
+  const isWritten = (path) => path.includes('.fill[]'); // as rows, before a map changes its size
   assert.deepEqual(
-    placesOfSchema().filter((path) => !other.includes(path)),
+    placesOfSchema().filter((path) => !other.includes(path) && !isWritten(path)),
     known.sort(),
   );
 });

@@ -44,6 +44,7 @@ const kModules = [
   'portal-ends',
   'selection',
   'shapes',
+  'things',
   'tiles',
   'tools/box',
   'tools/fill',

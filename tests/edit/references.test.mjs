@@ -19,12 +19,14 @@ const {
   linkLines,
   linksOf,
   matchesOf,
+  moveChanges,
   namedChange,
   namesOf,
   placesOf,
   printed,
   renameChange,
   sizeOf,
+  thingsOf,
   usesOf,
 } = await editModules();
 
@@ -56,7 +58,8 @@ function* parts(schema, node, at, seen) {
 const all = [...parts(new Schema(kSchema), kSchema, [], new Set())];
 
 test('every text of the schema is a name, refers to one, or is words for people', () => {
-  const kWords = /(^|\/)(\$schema|comment|title|message|text|aim|locked|tiles\/\*|levels\/.*)$/;
+  const kWords =
+    /(^|\/)(\$schema|comment|data|title|message|text|aim|locked|tiles\/\*|rows\/\*|levels\/.*)$/;
   const texts = all
     .filter(([pattern, , { kinds }]) => {
       const isFree = ({ type, choices, pattern: form }) =>
@@ -306,4 +309,49 @@ test('a scene that is damaged at any place has links or none, but no line to now
         assert.ok([...from, ...to].every(Number.isFinite));
     });
   }
+});
+
+test('what is said by the name of a place is drawn there, and gets its own place when moved', () => {
+  const value = {
+    textures: { grey: 'grey.png' },
+    sprites: { oak: 'oak.png' },
+    maps: [
+      {
+        name: 'yard',
+        size: [8, 6],
+        levels: [],
+        floor: 'grey',
+        places: { well: { x: 2.5, y: 3.5 }, oak: { x: 6.5, y: 1.5, z: 1 } },
+        portals: [{ x: 1, y: 1, to: { place: 'oak' } }],
+        messages: [{ place: 'well', text: 'Cold.' }],
+        objects: [
+          {
+            sprite: 'oak',
+            x: 1,
+            y: 1,
+            motion: { kind: 'patrol', path: ['well', { place: 'oak' }] },
+          },
+        ],
+      },
+    ],
+    start: { place: 'well' },
+  };
+  const scene = new SceneDocument(JSON.stringify(value));
+  const links = linksOf(scene.value, 0);
+  const ends = ({ kind }) => links.find((link) => link.kind === kind);
+  assert.deepEqual(ends({ kind: 'portal' }).ends[1].x, 6.5);
+  assert.equal(ends({ kind: 'way' }).points.length, 3);
+  assert.ok(ends({ kind: 'message' }));
+  assert.deepEqual(
+    thingsOf(scene, 0).map(({ path }) => path.join('/')),
+    ['maps/0/objects/0', 'maps/0/places/well', 'maps/0/places/oak'],
+  );
+  const history = new History(scene);
+  history.do('Move', moveChanges(scene, ['start'], { x: 4, y: 4, z: 0 }));
+  assert.deepEqual(scene.value.start, { x: 4, y: 4 });
+  history.do('Move', moveChanges(scene, ['maps', 0, 'places', 'well'], { x: 5, y: 5, z: 0 }));
+  assert.deepEqual(scene.value.maps[0].places.well, { x: 5, y: 5 });
+  history.undo();
+  history.undo();
+  assert.equal(scene.text, JSON.stringify(value));
 });

@@ -170,8 +170,10 @@ test('all directions that a scene can say are known', () => {
     'motion.along',
     'motion.moves',
     'object.heading',
+    'objectKind.heading', // of objects in rows, which no selection takes along
     'objectMotion.heading',
     'objectMotion.kind', // "wander: changes direction"
+    'place.heading', // named places stay, too
     'portal.face',
     'portal.turn',
     'start.heading',

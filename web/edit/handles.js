@@ -9,7 +9,7 @@
 //     formPathOf(path)                           // of the value whose form is shown
 
 import { isInside } from './cells.js';
-import { framesOf, isPlaced, mapNumber, middleOf, startMap } from './links.js';
+import { framesOf, isPlaced, mapNumber, middleOf, startMap, withoutNames } from './links.js';
 import { movedEnd, portalEnd } from './portal-ends.js';
 import { moveChanges, thingsOf, valueAt } from './things.js';
 
@@ -30,7 +30,7 @@ function ownerOf(path) {
 }
 
 export function handlesOf(scene, map, edited) {
-  const { value } = scene;
+  const value = withoutNames(scene.value);
   return [
     ...(edited === null ? [] : ofEdited(scene, map, edited)),
     ...thingsOf(scene, map),
@@ -92,7 +92,7 @@ function areas(value, map) {
 }
 
 function ofEdited(scene, map, edited) {
-  const area = areasOf(scene.value, map).find(
+  const area = areasOf(withoutNames(scene.value), map).find(
     ({ path }) => String(formPathOf(path)) === String(edited),
   );
   if (area !== undefined) {

@@ -27,12 +27,51 @@ const kMessageNear = 1.5; // as the schema has it
 
 // Where a scene may have an x and a y. "*" is any name or number.
 const kPoints = Object.entries(kPlaces).flatMap(([place, { keys }]) => {
-  const pattern = place.replaceAll('[]', '/*').replaceAll('.', '/');
+  const pattern = place.replace(/\[\]|\{\}/g, '/*').replaceAll('.', '/');
   return [
     ...(keys.includes('x') ? [pattern] : []),
     ...(keys.includes('to.x') ? [`${pattern}/to`] : []),
   ];
 });
+
+// The same scene, where what is said by the name of a place has the numbers of that place.
+const resolved = new WeakMap();
+
+export function withoutNames(value) {
+  if (!value.maps.some(({ places }) => places !== undefined)) return value;
+  if (!resolved.has(value)) resolved.set(value, resolve(value));
+  return resolved.get(value);
+}
+
+// Rows are shared: they change in place.
+function resolve(value) {
+  const { maps, ...rest } = value;
+  const copy = structuredClone(rest);
+  copy.maps = maps.map(({ levels, floor, ceiling, ...map }) => ({
+    ...structuredClone(map),
+    ...(levels === undefined ? {} : { levels }),
+    ...(floor === undefined ? {} : { floor }),
+    ...(ceiling === undefined ? {} : { ceiling }),
+  }));
+  for (const pattern of kPoints) {
+    for (const [path, said] of matchesOf(copy, pattern)) {
+      const name = typeof said === 'string' ? said : said?.place;
+      const place = copy.maps[mapOfPlace(copy, path, said)]?.places?.[name];
+      if (name === undefined || place === undefined) continue;
+      const parent = path.slice(0, -1).reduce((node, key) => node[key], copy);
+      const isCell = path.includes('portals');
+      const { x, y } = place;
+      const numbers = isCell ? { x: Math.floor(x), y: Math.floor(y) } : { ...place };
+      parent[path.at(-1)] = { ...numbers, ...(typeof said === 'string' ? {} : said) };
+    }
+  }
+  return copy;
+}
+
+function mapOfPlace(value, [first, index], { map }) {
+  if (map !== undefined) return mapNumber(value, map);
+  return first === 'maps' ? index : mapNumber(value, startMap(value));
+}
 
 // All values that a pattern names: [path, value], ...
 export function matchesOf(value, pattern) {
@@ -56,10 +95,6 @@ export function mapNumber(value, name) {
 export const startMap = (value) => value.start?.map ?? value.maps[0].name;
 
 export function placesOf(value) {
-  const mapOf = ([first, index], { map }) => {
-    if (map !== undefined) return mapNumber(value, map);
-    return first === 'maps' ? index : mapNumber(value, startMap(value));
-  };
   return kPoints
     .flatMap((pattern) => matchesOf(value, pattern))
     .filter(([, place]) => isPlaced(place))
@@ -68,7 +103,7 @@ export function placesOf(value) {
       const isArea = path.includes('messages') || path[0] === 'game';
       return {
         path,
-        map: mapOf(path, place),
+        map: mapOfPlace(value, path, place),
         x,
         y,
         width: isArea ? width : 0,
@@ -155,7 +190,8 @@ export class Links {
   }
 }
 
-export function linksOf(value, map) {
+export function linksOf(scene, map) {
+  const value = withoutNames(scene);
   return [
     ...portals(value, map),
     ...gates(value, map),

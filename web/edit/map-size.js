@@ -14,11 +14,15 @@ import { levelsOf, sizeOfMap } from './levels.js';
 export const kMostTiles = 4096; // of a side
 
 // Where scenes say places: `map` is the name of another map than the one around, if there is one.
+// '{}' stands for any name. Who says a place by its name moves along with the place.
 // A test compares this with the schema.
 export const kPlaces = {
   'maps[].objects[]': { kind: 'thing', keys: ['x', 'y', 'z'] },
   'maps[].objects[].motion.path[]': { kind: 'point', keys: ['map', 'x', 'y', 'z'] },
   'maps[].sow[].motion.path[]': { kind: 'point', keys: ['map', 'x', 'y', 'z'] },
+  'maps[].objectRows.legend{}': { kind: 'raised', keys: ['z'] },
+  'maps[].objectRows.legend{}.motion.path[]': { kind: 'point', keys: ['map', 'x', 'y', 'z'] },
+  'maps[].places{}': { kind: 'start', keys: ['x', 'y', 'z'] },
   'maps[].baked.lamps[]': { kind: 'thing', keys: ['x', 'y', 'z'] },
   'maps[].messages[]': {
     kind: 'area',
@@ -61,6 +65,8 @@ export function resized(value, map, { west, north, east, south }) {
   const next = { ...here };
   if (here.levels !== undefined) next.levels = writtenLevels(here).map((level) => rows(level, '.'));
   if (here.size !== undefined) next.size = [width, depth];
+  if (here.objectRows?.rows !== undefined)
+    next.objectRows = { ...here.objectRows, rows: rows(here.objectRows.rows, ' ') };
   for (const plane of ['floor', 'ceiling']) {
     const { tiles } = here[plane] ?? {};
     if (tiles === undefined || tiles.length === 0) continue;
@@ -146,6 +152,7 @@ function lifting(value, map, { up, edge, level }) {
     const z = up(place.z ?? 0);
     return z === (place.z ?? 0) ? place : { ...place, z };
   };
+  const ifSaid = (place) => (place.z === undefined ? place : raised(place));
   const set = (object, key, height) =>
     object[key] === undefined || object[key] === height ? object : { ...object, [key]: height };
   const end = (cell, isCell) => {
@@ -155,7 +162,8 @@ function lifting(value, map, { up, edge, level }) {
   return moving(value, map, {
     thing: raised,
     start: raised,
-    point: (place) => (place.z === undefined ? place : raised(place)),
+    point: ifSaid,
+    raised: ifSaid,
     ceiling: (ceiling) => set(ceiling, 'height', edge(ceiling.height) || ceiling.height),
     area: (area) =>
       set(set(area, 'bottom', up(area.bottom)), 'top', Math.min(1000, edge(area.top))),
@@ -221,29 +229,35 @@ export function withMap(value, { name, width, depth, floor }, like) {
 // ---- Places
 
 // The values at places of one map: `end` and `exit` are the two cells of a portal.
-function moving(value, map, { thing, point, start, area, ceiling, end, exit }) {
+function moving(value, map, { thing, point, start, raised, area, ceiling, end, exit }) {
   const { name } = value.maps[map];
-  const ifHere = (act) => (place, home) => ((place.map ?? home) === name ? act(place) : place);
+  const ifHere = (act) => (place, home) =>
+    (place.map ?? home) === name && isSaid(place) ? act(place) : place;
   const portal = (one, home) => {
     const level = one.level ?? 0;
     const own = home === name ? end({ ...one, level }, one) : { ...one, level };
     const there = { ...one.to, level: one.to.level ?? level };
-    const to = (one.to.map ?? home) === name ? exit(there) : there;
+    const isHere = (one.to.map ?? home) === name && isSaid(one.to);
+    const to = isHere ? exit(there) : isSaid(one.to) ? there : one.to;
     if (own === undefined || to === undefined) return undefined;
     const next = { ...own, to };
     if (one.level === undefined && own.level === 0) delete next.level;
-    if (one.to.level === undefined && to.level === own.level) delete to.level;
+    if (one.to.level === undefined && isSaid(to) && to.level === own.level) delete to.level;
     return JSON.stringify(next) === JSON.stringify(one) ? one : next;
   };
   return overPlaces(value, {
     thing: ifHere(thing),
     point: ifHere(point),
     start: ifHere(start),
+    raised: ifHere(raised ?? ((one) => one)),
     area: ifHere(area),
     ceiling: (one, home) => (home === name ? ceiling(one) : one),
     portal,
   });
 }
+
+// By its numbers, not by a name.
+const isSaid = (place) => typeof place === 'object' && place.place === undefined;
 
 // Each place of the kinds, with the name of the map where it lies if it names none.
 function overPlaces(value, acts) {
@@ -260,9 +274,17 @@ function overPlaces(value, acts) {
 function over(node, [step, ...rest], home, act) {
   if (node === undefined) return undefined;
   if (step === undefined) return act(node, home);
-  const key = step.replace('[]', '');
+  const key = step.replace(/\[\]|\{\}/, '');
   const child = node[key];
   if (child === undefined || typeof child !== 'object') return node;
+  if (step.endsWith('{}')) {
+    const entries = Object.entries(child).map(([one, value]) => [
+      one,
+      over(value, rest, home, act),
+    ]);
+    const isSame = entries.every(([one, value]) => value === child[one]);
+    return isSame ? node : { ...node, [key]: Object.fromEntries(entries) };
+  }
   const next =
     step === key
       ? over(child, rest, home, act)

@@ -15,7 +15,8 @@ import { valueAt } from './things.js';
 const kMostLength = 100; // of a name, as the schema has it
 
 // Where names stand that are given elsewhere. "*" is any name or number.
-const kMoves = ['maps/*/objects/*', 'maps/*/sow/*'];
+const kObjects = ['maps/*/objects/*', 'maps/*/objectRows/legend/*'];
+const kMoves = [...kObjects, 'maps/*/sow/*'];
 export const kReferences = Object.entries({
   maps: [
     'start/map',
@@ -51,7 +52,22 @@ export const kReferences = Object.entries({
     'maps/*/sow/*/on',
     'maps/*/sow/*/on/*',
   ],
-  finds: ['blueprints/*/gate/needs', 'blueprints/*/gate/needs/*', 'game/needs', 'game/needs/*'],
+  finds: [
+    'blueprints/*/gate/needs',
+    'game/needs',
+    ...['maps/*/messages/*', ...kObjects.map((place) => `${place}/message`)].flatMap((message) => [
+      `${message}/needs`,
+      `${message}/unless`,
+    ]),
+  ].flatMap((names) => [names, `${names}/*`]),
+  // Each map has its own.
+  places: [
+    'start/place',
+    'game/at/place',
+    'maps/*/portals/*/to/place',
+    'maps/*/messages/*/place',
+    ...kMoves.flatMap((place) => [`${place}/motion/path/*`, `${place}/motion/path/*/place`]),
+  ],
 }).flatMap(([what, patterns]) => patterns.map((pattern) => ({ what, pattern })));
 
 // Where names are given as values; all others are keys.

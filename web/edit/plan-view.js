@@ -233,6 +233,7 @@ export class PlanView extends CanvasView {
   #things(context, map) {
     for (const { x, y } of map.objects ?? []) this.dot(context, [x, y], '#8fce7a');
     for (const { x, y } of map.baked?.lamps ?? []) this.dot(context, [x, y], '#ffe9a0');
+    for (const { x, y } of Object.values(map.places ?? {})) this.dot(context, [x, y], '#f7f1e1');
     const { start, maps } = this.editor.scene.value;
     if (start === undefined || (start.map ?? maps[0].name) !== map.name) return;
     const { x, y, heading = 0 } = start;
