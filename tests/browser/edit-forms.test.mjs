@@ -11,7 +11,12 @@ const kSchema = JSON.parse(
   readFileSync(new URL('../../assets/scene.schema.json', import.meta.url), 'utf8'),
 );
 // Drawn, or shown by other parts of the page; `comment` stands everywhere.
-const kElsewhere = new Set(['$schema', 'levels', 'tiles', 'title', 'maps', 'objects', 'comment']);
+const kElsewhere = new Set([
+  ...['$schema', 'levels', 'tiles', 'title', 'maps', 'objects', 'comment'],
+  ...['fill', 'character', 'repeat'], // of levels
+  // Textures, sprites and skies as objects: their second forms are typed.
+  ...['file', 'frames', 'rate', 'material', 'variants', 'views', 'panorama'],
+]);
 
 let browser;
 before(async () => {
@@ -34,7 +39,7 @@ function keysOf(node, found = new Set(), seen = new Set()) {
 // In the page: uses each control of a form, opens each part, and goes back. Gives the keys that it
 // has met, and what went wrong.
 async function useForm(tab) {
-  const { scene } = window.slicecastEditor;
+  const { scene, history } = window.slicecastEditor;
   document.getElementById(`tab-${tab}`).click();
   const form = document.querySelector(`#part-${tab} .form`);
   const faults = [];
@@ -44,14 +49,17 @@ async function useForm(tab) {
   const valueAt = (path) => path.split(',').reduce((node, key) => node?.[key], scene.value);
   const find = (path) => form.querySelector(`[data-path="${CSS.escape(path)}"]`);
   // What a name or a number stands for is the same for each.
-  const alike = (path) => path.replaceAll(/\b\d+\b/g, '#');
+  const kNamed = /^(textures|sprites|motions|blueprints|legend),[^,]+/;
+  const alike = (path) => path.replace(kNamed, '$1,*').replaceAll(/\b\d+\b/g, '#');
   const isNew = (element) => !seen.has(alike(element.dataset.path));
-  const texts = ['#123456', 'picture.png', 'something', 'a'];
+  const texts = ['4, 4', '#123456', 'picture.png', 'something', 'a'];
   function valuesFor(input) {
     if (input.type === 'number') {
       const [least, most] = [input.min, input.max].map((end) => (end === '' ? NaN : Number(end)));
       const near = Number.isNaN(least) ? most : least;
-      return [near + 1, near + 0.5, most - 1, most, least, 1, 2].filter(Number.isFinite).map(String);
+      return [near + 1, near + 0.5, most - 1, most, least, 1, 2]
+        .filter(Number.isFinite)
+        .map(String);
     }
     const listed = document.getElementById(input.getAttribute('list'))?.options ?? [];
     return [...[...listed].map(({ value }) => value), ...texts];
@@ -83,14 +91,19 @@ async function useForm(tab) {
       change(find(path), (input) => (input.value = old));
     }
     if (scene.text !== text) faults.push(`${path}: not as before`);
+    // Its richer form: what was there before comes back by Undo.
+    const more = find(path)?.closest('.field')?.querySelector('button.small');
+    if (!more) return;
+    more.click();
+    added.push({ path, text, isRicher: true });
   }
   function use(element) {
     const { path } = element.dataset;
     seen.add(alike(path));
-    const [plain, what] = /^(.*?)(?: (name|another|remove))?$/.exec(path).slice(1);
+    const [plain, what] = /^(.*?)(?: (name|another|remove|rename))?$/.exec(path).slice(1);
     if (what === undefined) keys.add(plain.split(',').at(-1));
     const { text } = scene;
-    if (what === 'remove') return;
+    if (what === 'remove' || what === 'rename') return; // below; edit-links.test.mjs
     if (element.tagName === 'SUMMARY') {
       element.parentElement.open = true;
       element.parentElement.dispatchEvent(new Event('toggle'));
@@ -124,6 +137,10 @@ async function useForm(tab) {
     }
     if (last === undefined) break;
     added.pop();
+    if (last.isRicher) {
+      while (scene.text !== last.text && history.undo() !== null);
+      continue;
+    }
     const remover = find(`${last.path} remove`);
     if (remover !== null) remover.click();
     else change(find(last.path), (input) => (input.value = ''));

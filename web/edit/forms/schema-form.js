@@ -84,7 +84,7 @@ export class SchemaForm {
     const lines = [...keys]
       .filter((key) => !this.#leaveOut.has(key))
       .map((key) =>
-        this.#line([...path, key], kind.keys.get(key) ?? kind.rest, key, kind.needed.includes(key)),
+        this.#line([...path, key], kind.keys.get(key) ?? kind.rest, key, kind.always.includes(key)),
       );
     return kind.rest === undefined ? lines : [...lines, this.#namer(path, kind.rest)];
   }
@@ -166,19 +166,19 @@ export class SchemaForm {
     input.placeholder = fallback === undefined ? '' : textOf(fallback);
     input.value = value === undefined ? '' : textOf(value);
     input.spellcheck = false;
-    input.required = isNeeded;
+    const isList = kind.type === 'list';
+    input.required = isNeeded && !isList;
+    input.addEventListener('input', () => input.setCustomValidity(''));
     input.addEventListener('change', () => {
       if (input.value === '' && !isNeeded) {
         this.#set(path, undefined);
         return;
       }
+      const list = isList ? readList(this.#schema, kind, input.value) : [];
+      if (list.some(Number.isNaN))
+        input.setCustomValidity(`Found "${input.value}", expected numbers with commas between.`);
       if (!input.reportValidity()) return;
-      if (isNumber) this.#set(path, Number(input.value));
-      else
-        this.#set(
-          path,
-          kind.type === 'list' ? readList(this.#schema, kind, input.value) : input.value,
-        );
+      this.#set(path, isList ? list : isNumber ? Number(input.value) : input.value);
     });
     return input;
   }
@@ -367,6 +367,7 @@ function isPlainList(schema, { item }) {
 }
 
 function readList(schema, { item }, text) {
+  if (text.trim() === '') return [];
   const [{ type }] = schema.of(item).kinds;
   const parts = text.split(',').map((part) => part.trim());
   return type === 'text' ? parts : parts.map(Number);

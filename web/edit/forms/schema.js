@@ -13,7 +13,8 @@
 //     { type: 'number' | 'integer', least, most }      { type: 'boolean' }
 //     { type: 'text', pattern, choices, names }        // `names`: 'textures' if it is one of those
 //     { type: 'list', item }                           // `item` is a part of the schema
-//     { type: 'object', keys: Map, needed: [...], rest }   // of keys with any name: `rest`
+//     { type: 'object', keys: Map, needed: [...], rest }   // of keys with any name: `rest`;
+//                                                      // `always`: needed whatever else is said
 
 // What keys, and definitions of the schema, name
 const kNamesOf = new Map([
@@ -138,6 +139,7 @@ export class Schema {
         type,
         keys: new Map(Object.entries(node.properties ?? {})),
         needed: [...(node.required ?? []), ...(node.else?.required ?? [])],
+        always: node.required ?? [],
         rest: typeof node.additionalProperties === 'object' ? node.additionalProperties : undefined,
       });
     else
