@@ -38,7 +38,8 @@ await writeFile(
 scene.free();
 
 for (const file of await readdir(folder, { recursive: true })) {
-  if (!file.endsWith('.html')) continue;
+  // The player is no page yet: it becomes the file of a world.
+  if (!file.endsWith('.html') || file.split(path.sep).join('/').includes('edit/player/')) continue;
   const place = path.join(folder, file);
   const page = await readFile(place, 'utf8');
   const carded = withCard(page, file.split(path.sep).join('/'));
