@@ -2,13 +2,16 @@
 // and control moves it and can be taken back, and its address brings a moved figure back.
 
 import assert from 'node:assert/strict';
-import { readdirSync } from 'node:fs';
+import { readFileSync, readdirSync } from 'node:fs';
 import { after, before, test } from 'node:test';
 import { launch, openPage } from './browser.mjs';
 
 const kModules = new URL('../../build/learn/', import.meta.url); // where the build has put them
-const kFolders = readdirSync(new URL('../../web/learn/', import.meta.url))
-  .filter((folder) => /^\d\d-/.test(folder))
+const kLearn = new URL('../../web/learn/', import.meta.url);
+const hasFigures = (folder) =>
+  readFileSync(new URL(`${folder}/index.md`, kLearn), 'utf8').includes('\n::: figure ');
+const kFolders = readdirSync(kLearn)
+  .filter((folder) => /^\d\d-/.test(folder) && hasFigures(folder))
   .sort();
 const kHandlePixels = 44;
 const kAddressMilliseconds = 400; // figures write it a little after the last change
