@@ -8,7 +8,8 @@ import { objectKinds } from './schema-kinds.mjs';
 
 const kSchema = 'assets/scene.schema.json';
 const kScenes = 'assets/scenes';
-const kAlsoExamples = 'tests/scene/everything.json'; // has every key
+// These have every key.
+const kAlsoExamples = ['tests/scene/everything.json', 'tests/scene/named-places.json'];
 // The guide's sections that explain a kind.
 const kGuide = {
   scene: 'scenes.md#a-first-scene',
@@ -40,7 +41,7 @@ export function sceneReference() {
     .filter((name) => name.endsWith('.json') && name !== 'index.json')
     .map((name) => `${kScenes}/${name}`);
   const read = (file) => JSON.parse(readFileSync(file, 'utf8'));
-  const examples = keyExamples(schema, files.map(read), [read(kAlsoExamples)]);
+  const examples = keyExamples(schema, files.map(read), kAlsoExamples.map(read));
   return kinds.map((kind) => section(kind, kinds, examples)).join('\n');
 }
 

@@ -25,20 +25,26 @@ export function keyExamples(schema, scenes, others) {
       return;
     }
     if (typeof value !== 'object' || value === null) return;
-    const variants = [raw, ...(raw.anyOf ?? []).map((each) => follow(each, id)[0])];
-    const keyed = variants.filter(({ properties }) => properties);
-    const named = variants.find(({ additionalProperties: each }) => typeof each === 'object');
+    const variants = [[raw, id], ...(raw.anyOf ?? []).map((each) => follow(each, id))];
+    const keyed = variants.filter(([{ properties }]) => properties);
+    const named = variants
+      .map(([each]) => each)
+      .find(({ additionalProperties: each }) => typeof each === 'object');
     if (keyed.length === 0) {
       if (named)
         for (const each of Object.values(value)) visit(named.additionalProperties, id, each);
       return;
     }
     for (const [name, each] of Object.entries(value)) {
-      const property = keyed.find(({ properties }) => Object.hasOwn(properties, name))?.properties[
-        name
-      ];
+      const has = ([{ properties }]) => Object.hasOwn(properties, name);
+      const hasAll = ([{ properties }]) =>
+        Object.keys(value).every((key) => Object.hasOwn(properties, key));
+      const [kind, own] = keyed.find(hasAll) ?? keyed.find(has) ?? [];
+      const property = kind?.properties[name];
       if (property === undefined) continue;
-      note(`${id}.${name}`, each, property.default ?? follow(property, name)[0].default);
+      // A definition of its own has a table of its own, too.
+      for (const table of new Set([id, own]))
+        note(`${table}.${name}`, each, property.default ?? follow(property, name)[0].default);
       visit(property, name, each);
     }
   }
