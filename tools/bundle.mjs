@@ -31,7 +31,8 @@ const kPages = [
   'edit/import.js',
 ];
 const kPlayer = ['edit/player/boot.js', 'edit/player/main.js']; // of tools/player-page.mjs
-const kLater = ['edit/hand-over.js', 'edit/text-view.js', 'edit/import.js']; // of these; scripts load them when wanted
+// Of these; scripts load them when wanted.
+const kLater = ['edit/hand-over.js', 'edit/text-view.js', 'edit/import.js'];
 // These stay: Node's command uses the modules.
 const kForNode = [
   path.join('edit', 'import', path.sep),

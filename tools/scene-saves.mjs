@@ -95,7 +95,8 @@ export class SceneSaves {
     if (this.#lan)
       throw new Refusal(
         403,
-        'With --lan others in the network have this page, too, so nothing is saved. Start tools/play without it.',
+        'Nothing is saved: with --lan, others in the network have this page, too. ' +
+          'Start tools/play without it.',
       );
     const isOwn =
       kThisMachine.includes(socket.remoteAddress) &&

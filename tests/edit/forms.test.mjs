@@ -6,7 +6,7 @@ import { readFileSync } from 'node:fs';
 import { test } from 'node:test';
 import Ajv from 'ajv';
 
-import { editModules } from './modules.mjs';
+import { editModules, schemaParts } from './modules.mjs';
 
 const { Schema, kindOfValue } = await editModules();
 
@@ -24,28 +24,10 @@ const names = (what) =>
     finds: ['shell'],
   })[what];
 
-// Every part of the schema that is a value of some key, with where it was found.
-function* parts(schema, node, at, seen) {
-  const said = schema.of(node, at.split('/').at(-1));
-  yield [at, node, said];
-  for (const { type, item, keys, rest } of said.kinds) {
-    const inner =
-      type === 'list'
-        ? [['0', item]]
-        : type === 'object'
-          ? [...keys, ...(rest ? [['any', rest]] : [])]
-          : [];
-    for (const [key, child] of inner) {
-      const mark = `${key} ${JSON.stringify(child)}`;
-      if (!seen.has(mark)) yield* parts(schema, child, `${at}/${key}`, new Set([...seen, mark]));
-    }
-  }
-}
-
 test('every key has a kind, words, and a first value that the schema takes', () => {
   const schema = new Schema(kSchema);
   const checked = new Set();
-  for (const [at, node, said] of parts(schema, kSchema, '', new Set())) {
+  for (const [at, node, said] of schemaParts(schema, kSchema)) {
     const mark = `${at.split('/').at(-1)} ${JSON.stringify(node)}`;
     if (at === '' || checked.has(mark)) continue;
     checked.add(mark);

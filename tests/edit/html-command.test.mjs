@@ -1,13 +1,12 @@
 // The command `slicecast html`, in a package that is put together as npm would.
 
 import assert from 'node:assert/strict';
-import { execFile } from 'node:child_process';
-import { cp, mkdir, mkdtemp, readFile, rm, symlink, writeFile } from 'node:fs/promises';
+import { cp, mkdtemp, readFile, rm, symlink, writeFile } from 'node:fs/promises';
 import { tmpdir } from 'node:os';
 import path from 'node:path';
-import process from 'node:process';
 import { after, before, test } from 'node:test';
 import { fileURLToPath } from 'node:url';
+import { folderWith as folderIn } from '../import/command-folder.mjs';
 
 const root = fileURLToPath(new URL('../../', import.meta.url));
 const kBuilt = path.join(root, 'build/web');
@@ -25,21 +24,7 @@ before(async () => {
 });
 after(() => rm(home, { recursive: true }));
 
-async function folderWith(files) {
-  const folder = await mkdtemp(path.join(home, 'work-'));
-  for (const [name, content] of Object.entries(files)) {
-    await mkdir(path.dirname(path.join(folder, name)), { recursive: true });
-    await writeFile(path.join(folder, name), content);
-  }
-  const call = (...words) =>
-    new Promise((resolve) => {
-      const command = path.join(home, 'slicecast/node/command.js');
-      execFile(process.execPath, [command, ...words], { cwd: folder }, (error, stdout, stderr) =>
-        resolve({ status: error?.code ?? 0, stdout, stderr }),
-      );
-    });
-  return { call, read: (name) => readFile(path.join(folder, name), 'utf8') };
-}
+const folderWith = (files) => folderIn(home, files);
 
 const scene = (more = {}) =>
   JSON.stringify({

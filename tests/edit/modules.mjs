@@ -94,6 +94,25 @@ async function bundled() {
   }
 }
 
+// Every value that the schema has: [pattern, node, what is said of it].
+export function* schemaParts(schema, node, at = [], seen = new Set()) {
+  const said = schema.of(node, at.at(-1) ?? '');
+  yield [at.join('/'), node, said];
+  for (const { type, item, keys, rest } of said.kinds) {
+    const inner =
+      type === 'list'
+        ? [['*', item]]
+        : type === 'object'
+          ? [...keys, ...(rest ? [['*', rest]] : [])]
+          : [];
+    for (const [key, child] of inner) {
+      const mark = `${key} ${JSON.stringify(child)}`;
+      if (!seen.has(mark))
+        yield* schemaParts(schema, child, [...at, key], new Set([...seen, mark]));
+    }
+  }
+}
+
 // The same numbers every time.
 export function seededRandom(seed) {
   let state = seed;

@@ -7,7 +7,7 @@ import path from 'node:path';
 import { test } from 'node:test';
 
 import { shippedScenes } from '../wasm/load.mjs';
-import { editModules, seededRandom } from './modules.mjs';
+import { editModules, schemaParts, seededRandom } from './modules.mjs';
 
 const {
   History,
@@ -38,24 +38,7 @@ const scenes = shippedScenes.map((file) => [
   new SceneDocument(readFileSync(file, 'utf8')),
 ]);
 
-// Every value that the schema has: [pattern, node, what is said of it].
-function* parts(schema, node, at, seen) {
-  const said = schema.of(node, at.at(-1) ?? '');
-  yield [at.join('/'), node, said];
-  for (const { type, item, keys, rest } of said.kinds) {
-    const inner =
-      type === 'list'
-        ? [['*', item]]
-        : type === 'object'
-          ? [...keys, ...(rest ? [['*', rest]] : [])]
-          : [];
-    for (const [key, child] of inner) {
-      const mark = `${key} ${JSON.stringify(child)}`;
-      if (!seen.has(mark)) yield* parts(schema, child, [...at, key], new Set([...seen, mark]));
-    }
-  }
-}
-const all = [...parts(new Schema(kSchema), kSchema, [], new Set())];
+const all = [...schemaParts(new Schema(kSchema), kSchema)];
 
 test('every text of the schema is a name, refers to one, or is words for people', () => {
   const kWords =

@@ -1,15 +1,14 @@
 // The command `slicecast import`, in a package that is put together as npm would.
 
 import assert from 'node:assert/strict';
-import { execFile } from 'node:child_process';
-import { cp, mkdir, mkdtemp, readFile, readdir, rm, symlink, writeFile } from 'node:fs/promises';
+import { cp, mkdtemp, readFile, readdir, rm, symlink, writeFile } from 'node:fs/promises';
 import { tmpdir } from 'node:os';
 import path from 'node:path';
-import process from 'node:process';
 import { after, before, test } from 'node:test';
 
 import { load } from '../../build/web/node/index.js';
 import { root, tilesPicture } from './load.mjs';
+import { folderWith as folderIn } from './command-folder.mjs';
 
 let home;
 before(async () => {
@@ -26,22 +25,7 @@ before(async () => {
 });
 after(() => rm(home, { recursive: true }));
 
-// A folder with these files, and the command in it.
-async function folderWith(files) {
-  const folder = await mkdtemp(path.join(home, 'work-'));
-  for (const [name, content] of Object.entries(files)) {
-    await mkdir(path.dirname(path.join(folder, name)), { recursive: true });
-    await writeFile(path.join(folder, name), content);
-  }
-  const call = (...words) =>
-    new Promise((resolve) => {
-      const command = path.join(home, 'slicecast/node/command.js');
-      execFile(process.execPath, [command, ...words], { cwd: folder }, (error, stdout, stderr) =>
-        resolve({ status: error?.code ?? 0, stdout, stderr }),
-      );
-    });
-  return { folder, call };
-}
+const folderWith = (files) => folderIn(home, files);
 
 const kMatrix = '1 1 1 1\n1 0 2 1\n1 0 0 1\n1 1 1 1\n';
 const kTmx = `<map orientation="orthogonal" width="3" height="2" tilewidth="16" tileheight="16">
