@@ -36,7 +36,7 @@ const kLater = ['edit/hand-over.js', 'edit/text-view.js', 'edit/import.js'];
 // These stay: Node's command uses the modules.
 const kForNode = [
   path.join('edit', 'import', path.sep),
-  ...['html-file.js', 'dense-text.js', 'share-texts.js', 'text-form.js'].map((name) =>
+  ...['html-file.js', 'dense-text.js', 'share-texts.js', 'shipped.js', 'text-form.js'].map((name) =>
     path.join('edit', 'files', name),
   ),
 ];

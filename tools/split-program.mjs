@@ -151,6 +151,7 @@ async function profileOf(bytes) {
     lookAround(engine);
     for (let frame = 1; frame < 8; ++frame) frames.at(-1)?.(16 * frame);
   }
+  await askForTable(engine);
   const twin = await Engine.create({ files, canvas });
   if (!twin.adopt(engine)) throw new Error('an engine cannot adopt the scene of another');
   twin.begin();
@@ -158,6 +159,23 @@ async function profileOf(bytes) {
   twin.stop();
   engine.stop();
   return merged(running.map(takeProfile));
+}
+
+// A scene that names shipped pictures waits for their table and the later part: up to there.
+async function askForTable(engine) {
+  let isWanted = true;
+  const text = JSON.stringify({ ...kPlainRoom, textures: {} });
+  await engine.loadScene(
+    {
+      name: 'scene',
+      readText: () => new TextEncoder().encode(text),
+      readFile() {
+        isWanted = false;
+        return null;
+      },
+    },
+    { isWanted: () => isWanted },
+  );
 }
 
 function grey(channels) {

@@ -55,17 +55,28 @@ std::string nearestFile(const std::filesystem::path& missing) {
 
 }  // namespace
 
+std::filesystem::path shippedFolder() {
+    return SLICECAST_ASSETS;
+}
+
+std::string readPictureTable() {
+    const ReadFile file = readWholeFile(shippedFolder() / "pictures.json", kMaxSceneBytes);
+    return std::string(file.fault.empty() ? file.text() : kNoPictures);
+}
+
 ReadImages readImages(const ParsedScene& scene, const std::filesystem::path& folder) {
     ReadImages images;
     for (const std::string& name : scene.files) {
-        ReadFile file = readWholeFile(folder / pathOf(name), kMaxImageBytes);
+        const bool isShipped = name.starts_with(kShippedFile);
+        const std::filesystem::path path =
+            isShipped ? shippedFolder() / name.substr(kShippedFile.size()) : folder / pathOf(name);
+        ReadFile file = readWholeFile(path, kMaxImageBytes);
         if (file.fault.empty()) {
             images.files.emplace(name, std::move(file.bytes));
         } else {
             images.unread.emplace(
-                name, ReadImages::Unread{file.fault, file.fault == kNoSuchFile
-                                                         ? nearestFile(folder / pathOf(name))
-                                                         : std::string()});
+                name, ReadImages::Unread{file.fault, file.fault == kNoSuchFile ? nearestFile(path)
+                                                                               : std::string()});
         }
     }
     return images;
@@ -75,7 +86,7 @@ LoadedScene readSceneFile(const std::filesystem::path& scene, const Progress& pr
     const std::string name = scene.string();
     ReadFile text = readWholeFile(scene, kMaxSceneBytes);
     if (!text.fault.empty()) return notReadable(name, text.fault);
-    ParsedScene parsed = parseScene(text.text(), name, progress);
+    ParsedScene parsed = parseScene(text.text(), name, progress, readPictureTable());
     text = {};
     const ReadImages images = readImages(parsed, scene.parent_path());
     LoadedScene loaded = loadScene(std::move(parsed), images.files, {}, progress);

@@ -21,6 +21,10 @@ inline constexpr std::uintmax_t kMaxImageBytes = 64u << 20;
 // regular file; so a pipe cannot block the caller.
 LoadedScene readSceneFile(const std::filesystem::path& scene, const Progress& progress = {});
 
+// Where the shipped pictures and their table are: in the sources that this was built from.
+std::filesystem::path shippedFolder();
+std::string readPictureTable();  // kNoPictures if it cannot be read
+
 // The images that a scene names, with paths relative to `folder`, by their names in the scene:
 // `files` holds the bytes of those that could be read, `unread` the reasons why others could not,
 // and perhaps a file of a similar name, in words to put behind a message.

@@ -180,6 +180,17 @@ std::string Checker::shown(JsonValue value) const {
     return {};
 }
 
+__attribute__((noinline)) void Checker::addUnknownKey(JsonValue member,
+                                                      std::span<const std::string_view> known,
+                                                      Fields& fields) {
+    if (onlyCounts()) return;
+    const std::vector<std::string_view> keys(known.begin(), known.end());
+    addAtKey(member, {"the unknown key ", quoted(member.key())},
+             {"one of the keys ", listed(keys), suggestion(member.key(), keys)});
+    const std::string_view meant = nearestName(member.key(), keys);
+    if (!meant.empty()) fields.addMisspelt(meant, member);
+}
+
 std::optional<Fields> Checker::fields(JsonValue value, std::span<const std::string_view> known,
                                       LaterText expected) {
     if (!value.isObject()) {
@@ -193,12 +204,8 @@ std::optional<Fields> Checker::fields(JsonValue value, std::span<const std::stri
         } else if (member.key() == "data" ||
                    std::find(known.begin(), known.end(), member.key()) != known.end()) {
             continue;
-        } else if (!onlyCounts()) {
-            const std::vector<std::string_view> keys(known.begin(), known.end());
-            addAtKey(member, {"the unknown key ", quoted(member.key())},
-                     {"one of the keys ", listed(keys), suggestion(member.key(), keys)});
-            const std::string_view meant = nearestName(member.key(), keys);
-            if (!meant.empty()) fields.addMisspelt(meant, member);
+        } else {
+            addUnknownKey(member, known, fields);
         }
     }
     return fields;
@@ -242,16 +249,33 @@ std::optional<std::string> Checker::text(JsonValue value, std::size_t longest,
     return std::nullopt;
 }
 
+std::optional<std::uint16_t> Checker::unknownName(JsonValue value, const NameTable& names,
+                                                  const char* what) {
+    if (names.awaitsMore()) {
+        ++awaiting_;
+        return std::nullopt;
+    }
+    return nameElsewhere(value, names, what);
+}
+
+// No first picture needs it.
+__attribute__((noinline)) std::optional<std::uint16_t> Checker::nameElsewhere(
+    JsonValue value, const NameTable& names, const char* what) {
+    std::optional<std::uint16_t> id;
+    if (names.more() != nullptr) id = names.more()->bring(value);
+    if (!id && !onlyCounts()) {
+        add(value, {"the name ", quoted(value.text())},
+            {"the name of a ", what, names.suggestionFor(value.text())});
+    }
+    return id;
+}
+
 std::optional<std::uint16_t> Checker::name(JsonValue value, const NameTable& names,
                                            const char* what) {
     const std::optional<std::string> name = text(value, kMaxNameLength, {"the name of a ", what});
     if (!name) return std::nullopt;
     const std::optional<std::uint16_t> id = names.find(*name);
-    if (!id && !onlyCounts()) {
-        add(value, {"the name ", quoted(*name)},
-            {"the name of a ", what, names.suggestionFor(*name)});
-    }
-    return id;
+    return id ? id : unknownName(value, names, what);
 }
 
 void Checker::checkName(JsonValue member) {

@@ -45,7 +45,9 @@ public:
     const SourceText& source() const { return source_; }
 
     // Faults so far; a part of the tree is sound if none was added while it was read.
-    std::size_t count() const { return faults_.size() + omitted_; }
+    std::size_t count() const { return faults_.size() + omitted_ + awaiting_; }
+    // The names that a table may have which is still to come; `count` has them too.
+    std::size_t awaiting() const { return awaiting_; }
 
     // Each reports a fault: at a value, at the key of a member, and for a key that an object has a
     // second time.
@@ -104,6 +106,12 @@ private:
         std::size_t number;  // order in which they were found
         Fault fault;
     };
+    // Of a name that the table does not have.
+    std::optional<std::uint16_t> unknownName(JsonValue value, const NameTable& names,
+                                             const char* what);
+    std::optional<std::uint16_t> nameElsewhere(JsonValue value, const NameTable& names,
+                                               const char* what);
+    void addUnknownKey(JsonValue member, std::span<const std::string_view> known, Fields& fields);
     // True if kMaxFaults have been reported: then counts one more, which needs no message.
     bool onlyCounts();
     void addAt(std::vector<Placed>& list, std::size_t offset, const JsonValue* at, int row,
@@ -115,6 +123,7 @@ private:
     std::vector<Placed> faults_;
     std::vector<Placed> warnings_;
     std::size_t omitted_ = 0;
+    std::size_t awaiting_ = 0;
 };
 
 // The members of an object whose keys have been checked. The readers return the fallback if there

@@ -20,6 +20,20 @@ std::string shownSign(std::string_view sign) {
     return isPlain ? words("'", sign, "'") : words("'", sign, "' (", codePointsOf(sign), ")");
 }
 
+__attribute__((noinline)) void refuseSign(Checker& checker, JsonValue member,
+                                          std::string_view first, bool isReserved, bool isSingle) {
+    if (isReserved) {
+        checker.addAtKey(member, {"the key ", quoted(member.key())},
+                         "another character: '.' and the space already have a meaning"_later);
+    } else if (isSingle) {
+        checker.addAtKey(member, {"a key that is ", shownSign(first)},
+                         "a single visible character"_later);
+    } else {
+        checker.addAtKey(member, {"the key ", quoted(member.key())},
+                         "a single visible character"_later);
+    }
+}
+
 }  // namespace
 
 Legend::Legend(std::uint16_t dot, std::uint16_t space) : dot_(dot), space_(space) {
@@ -85,15 +99,8 @@ void readLegend(Checker& checker, JsonValue value, const NameTable* names, const
         const std::string_view first = key.empty() ? key : takeSign(key, end);
         const bool isSingle = !key.empty() && end == key.size();
         const bool isReserved = key == "." || key == " ";
-        if (isReserved) {
-            checker.addAtKey(member, {"the key ", quoted(key)},
-                             "another character: '.' and the space already have a meaning"_later);
-        } else if (isSingle && !isPrintableSign(first)) {
-            checker.addAtKey(member, {"a key that is ", shownSign(first)},
-                             "a single visible character"_later);
-        } else if (!isSingle) {
-            checker.addAtKey(member, {"the key ", quoted(key)}, "a single visible character"_later);
-        }
+        if (isReserved || !isSingle || !isPrintableSign(first))
+            refuseSign(checker, member, first, isReserved, isSingle);
         const std::uint16_t id = names ? checker.name(member, *names, what).value_or(0) : number++;
         // Signs of faulty entries count as known, so that their uses in grids are not reported too.
         std::size_t offset = 0;

@@ -9,6 +9,12 @@ std::string suggestion(std::string_view wanted, const std::vector<std::string_vi
     return nearest.empty() ? std::string() : words("; did you mean \"", nearest, "\"?");
 }
 
+std::string NameTable::suggestionFor(std::string_view wanted) const {
+    std::vector<std::string_view> names = order_;
+    if (more_ != nullptr) more_->list(names);
+    return suggestion(wanted, names);
+}
+
 void NameTable::add(std::string_view name, std::uint16_t id) {
     if (ids_.find(name)) return;
     ids_.add(name, id);

@@ -39,15 +39,35 @@ ParsedScene& ParsedScene::operator=(ParsedScene&&) noexcept = default;
 ParsedScene::~ParsedScene() = default;
 
 struct SceneParser::Work {
+    // The table of shipped pictures.
+    struct PictureTable {
+        PictureTable(std::string_view given, Reading& reading)
+            : source(given),
+              json(parseJson(source)),
+              textures(reading, part("textures"), true),
+              sprites(reading, part("sprites"), false) {}
+        __attribute__((noinline)) ~PictureTable() {}  // NOLINT: a first picture needs none
+        FoundValue part(const char* key) const {
+            return json.fault ? FoundValue{} : json.tree.root().find(key);
+        }
+        SourceText source;
+        ParsedJson json;
+        ShippedPictures textures;
+        ShippedPictures sprites;
+    };
+
     Work(std::string_view given, std::string fileName)
         : text(given),
           source(given.size() <= kMaxSceneBytes ? given : std::string_view()),
           checker(source, fileName) {
+        reading.textures.awaitMore();
+        reading.sprites.awaitMore();
         description->fileName = std::move(fileName);
         tasks.add<&Work::readText>(*this);
         tasks.add<&Work::finish>(*this);
     }
 
+    void takePictures(std::string_view pictures);
     void readText();
     void readScene();
     void readNames();
@@ -66,9 +86,17 @@ struct SceneParser::Work {
     std::unique_ptr<SceneDescription> description = std::make_unique<SceneDescription>();
     TaskList tasks;
     Reading reading{checker, *description, tasks, {}, {}, {}, {}, false, {}, 0};
+    std::unique_ptr<PictureTable> table;
     std::optional<Fields> fields;  // of the root
     ParsedScene parsed;
 };
+
+// Few scenes need it before their picture.
+__attribute__((noinline)) void SceneParser::Work::takePictures(std::string_view pictures) {
+    table = std::make_unique<PictureTable>(pictures, reading);
+    reading.textures.lookIn(table->textures);
+    reading.sprites.lookIn(table->sprites);
+}
 
 // Text to tree.
 void SceneParser::Work::readText() {
@@ -116,11 +144,7 @@ void SceneParser::Work::readScene() {
 
 void SceneParser::Work::readNames() {
     const std::size_t faultsBefore = checker.count();
-    if (const auto textures = fields->require("textures", "a PNG file for each texture's name")) {
-        readTextures(reading, *textures);
-    } else {
-        reading.textures.takeAny();
-    }
+    if (const auto textures = fields->find("textures")) readTextures(reading, *textures);
     if (const auto sprites = fields->find("sprites")) readSprites(reading, *sprites);
     if (const auto motions = fields->find("motions")) readMotions(reading, *motions);
     if (const auto blueprints = fields->find("blueprints")) readBlueprints(reading, *blueprints);
@@ -193,8 +217,14 @@ SceneParser::SceneParser(SceneParser&&) noexcept = default;
 SceneParser& SceneParser::operator=(SceneParser&&) noexcept = default;
 SceneParser::~SceneParser() = default;
 
+void SceneParser::takePictures(std::string_view table) {
+    work_->takePictures(table);
+}
+
 bool SceneParser::next() {
-    return work_->tasks.doNext();
+    if (work_->checker.awaiting() == 0) return work_->tasks.doNext();
+    work_->parsed.needsPictures = true;
+    return false;
 }
 
 double SceneParser::share() const {
@@ -205,9 +235,10 @@ ParsedScene SceneParser::take() {
     return std::move(work_->parsed);
 }
 
-ParsedScene parseScene(std::string_view text, const std::string& fileName,
-                       const Progress& progress) {
+ParsedScene parseScene(std::string_view text, const std::string& fileName, const Progress& progress,
+                       std::string_view pictures) {
     SceneParser parser(text, fileName);
+    parser.takePictures(pictures);
     while (parser.next()) {
         if (progress) progress(kShareOfParsing * parser.share());
     }

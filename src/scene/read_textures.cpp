@@ -134,6 +134,35 @@ void readVariants(Reading& reading, JsonValue value, TextureId id) {
 
 }  // namespace
 
+std::optional<std::uint16_t> ShippedPictures::bring(JsonValue value) {
+    const std::size_t id =
+        areTextures_ ? reading_.description.textures.size() : reading_.description.sprites.size();
+    const FoundValue picture = table_ ? table_->find(value.text()) : FoundValue{};
+    if (!picture || id >= static_cast<std::size_t>(kMaxTextures)) return std::nullopt;
+    TextureReference reference = readPicture(reading_.checker, *picture, areTextures_);
+    reference.image = referTo(reading_.checker, value, words(kShippedFile, reference.image.file));
+    World& world = reading_.description.world;
+    if (areTextures_) {
+        Texture texture;
+        texture.name = std::string(value.text());
+        world.textures.push_back(std::move(texture));
+        reading_.description.textures.push_back(std::move(reference));
+    } else {
+        Sprite sprite;
+        sprite.name = std::string(value.text());
+        world.sprites.push_back(std::move(sprite));
+        reading_.description.sprites.push_back(std::move(reference));
+    }
+    (areTextures_ ? reading_.textures : reading_.sprites)
+        .add(value.text(), static_cast<std::uint16_t>(id));
+    return static_cast<std::uint16_t>(id);
+}
+
+void ShippedPictures::list(std::vector<std::string_view>& names) const {
+    if (!table_) return;
+    for (const JsonValue picture : *table_) names.push_back(picture.key());
+}
+
 void readTextures(Reading& reading, JsonValue value) {
     Checker& checker = reading.checker;
     if (!value.isObject()) {

@@ -114,6 +114,24 @@ struct Places {
     std::vector<NamedPlace> places;
 };
 
+struct Reading;
+
+// The shipped pictures as textures, or as sprites.
+class ShippedPictures final : public MoreNames {
+public:
+    // `table` is "textures" or "sprites" of the table of shipped pictures.
+    ShippedPictures(Reading& reading, FoundValue table, bool areTextures)
+        : reading_(reading), table_(table), areTextures_(areTextures) {}
+
+    std::optional<std::uint16_t> bring(JsonValue value) override;
+    void list(std::vector<std::string_view>& names) const override;
+
+private:
+    Reading& reading_;
+    FoundValue table_;
+    bool areTextures_;
+};
+
 // What the readers share.
 struct Reading {
     Checker& checker;

@@ -10,6 +10,11 @@
 //     while (parser.next()) ...                                  // parser.share() grows to 1
 //     ParsedScene scene = parser.take();
 //
+// A name that no texture or sprite of the scene has may be that of a shipped picture. They are
+// listed in the table assets/pictures.json, which the parser takes as a text. Few scenes need it:
+// without it, a SceneParser stops at the first such name, and gives nothing but `needsPictures`.
+// Then parse the scene again with the table.
+//
 // Both report all faults that they can reach, in the order of the text, loadScene those of the text
 // too; a scene with a fault gives no world. At most kMaxFaults (limits.h) are listed, and then one
 // more that counts the others. A scene with warnings loads: they name probable mistakes.
@@ -34,6 +39,12 @@ namespace slicecast {
 
 struct SceneDescription;  // the checked text; opaque
 
+// Begins the names of files that are shipped, in the folder of the table. A scene cannot name such
+// a file itself, because of the colon.
+inline constexpr std::string_view kShippedFile = "slicecast:";
+inline constexpr std::string_view kShippedTable = "slicecast:pictures.json";
+inline constexpr std::string_view kNoPictures = "{}";  // a table without any
+
 // Told the share of a work that is done, growing to 1.
 using Progress = std::function<void(double share)>;
 
@@ -43,6 +54,7 @@ struct ParsedScene {
         files;  // image files named by the scene, relative to it, each once, in order of appearance
     std::vector<Fault> faults;
     std::vector<Fault> warnings;  // none where there are faults
+    bool needsPictures = false;
 
     ParsedScene();
     ParsedScene(ParsedScene&&) noexcept;
@@ -56,12 +68,14 @@ inline constexpr double kShareOfParsing = 0.2;  // of the progress of loading
 // tests/worst/bounds.cpp. Of longer texts it may take longer.
 class SceneParser {
 public:
-    // The text must outlive this.
+    // The texts must outlive this.
     SceneParser(std::string_view text, std::string fileName);
     SceneParser(SceneParser&&) noexcept;
     SceneParser& operator=(SceneParser&&) noexcept;
     ~SceneParser();
 
+    // The table of shipped pictures, before the first next().
+    void takePictures(std::string_view table);
     // Does a part of the work. False if none was left.
     bool next();
     // What is done of the work that is known, 0 to 1.
@@ -76,7 +90,7 @@ private:
 
 // The progress is that of both steps: this one is the smaller part.
 ParsedScene parseScene(std::string_view text, const std::string& fileName,
-                       const Progress& progress = {});
+                       const Progress& progress = {}, std::string_view pictures = kNoPictures);
 
 // What a player is to get to, and where the file states it: some of the world's finds, a notice,
 // the gates of a kind, the goal, or a block. Or what is a mistake by itself: light that dims baked

@@ -43,6 +43,7 @@ using namespace slicecast;
 struct SlicecastSession {
     bool ofProgram = false;
     std::string sceneText;  // that is being parsed
+    std::string pictures;   // the table of shipped pictures, once it has been supplied
     std::optional<SceneParser> parser;
     ParsedScene parsed;
     SceneFiles files;
@@ -161,6 +162,10 @@ void SlicecastSession::endParsing() {
     parsed = parser->take();
     parser.reset();
     sceneText = {};
+    if (parsed.needsPictures) {
+        give("{}");
+        return;
+    }
     JsonText json;
     json.beginObject().key("files").beginArray();
     for (const std::string& file : parsed.files) json.text(file);
@@ -225,6 +230,12 @@ EMSCRIPTEN_KEEPALIVE void slicecast_parse(SlicecastSession* session, const char*
     session->parser.reset();
     session->sceneText.assign(text, static_cast<std::size_t>(textBytes));
     session->parser.emplace(session->sceneText, fileName);
+    if (!session->pictures.empty()) session->parser->takePictures(session->pictures);
+}
+
+EMSCRIPTEN_KEEPALIVE void slicecast_takePictures(SlicecastSession* session, const char* table,
+                                                 int32_t tableBytes) {
+    session->pictures.assign(table, static_cast<std::size_t>(tableBytes));
 }
 
 EMSCRIPTEN_KEEPALIVE double slicecast_next(SlicecastSession* session) {

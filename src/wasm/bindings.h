@@ -87,6 +87,10 @@ SlicecastSession* slicecast_programSession(void);
 void slicecast_parse(SlicecastSession* session, const char* text, int32_t textBytes,
                      const char* fileName);
 
+// Takes assets/pictures.json, the table of shipped pictures, or "{}" in its place, and keeps it. If
+// the answer to slicecast_parse is {}, the scene needs it: then parse the scene again.
+void slicecast_takePictures(SlicecastSession* session, const char* table, int32_t tableBytes);
+
 // Does a small part of what slicecast_parse or slicecast_start has begun: some milliseconds, so
 // that a page can do something else in between. Returns the share that is done: below 1, or 1 when
 // slicecast_answer has the answer.

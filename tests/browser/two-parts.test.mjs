@@ -75,6 +75,44 @@ test('a first picture that needs the later part waits for it', async (t) => {
   assert.ok(await until(page, isDrawn));
 });
 
+// Its pictures are those of the element's package, wherever the page is.
+test('a scene that names shipped pictures waits for their table and the later part', async (t) => {
+  const scene = JSON.stringify({
+    title: 'Named',
+    blueprints: { wall: { faces: { all: 'brick', top: 'lava' } } },
+    legend: { '#': 'wall' },
+    maps: [{ name: 'room', levels: [['####', '#..#', '####']], floor: 'grass' }],
+    start: { x: 1.5, y: 1.5 },
+  });
+  const { page, server } = await openGuest(t, browser, {
+    body: `<ray-caster loading="eager" style="width: 320px"><script type="application/json">${scene}</script></ray-caster>`,
+    prepare: (opened) =>
+      opened.addInitScript(() => {
+        window.XMLHttpRequest = class {
+          constructor() {
+            throw new Error('the page stood still');
+          }
+        };
+      }),
+  });
+  await ready(page);
+  assert.ok(await until(page, isDrawn));
+  for (const file of [
+    'pictures.json',
+    'textures/brick.png',
+    'textures/grass.png',
+    'sheets/lava.png',
+  ])
+    assert.equal(server.asked.filter((asked) => asked === file).length, 1, file);
+  const unlike = scene.replace('"lava"', '"lavva"');
+  const { faults } = await page.evaluate(
+    (text) => document.querySelector('ray-caster').update(text),
+    unlike,
+  );
+  assert.match(faults[0].expected, /did you mean "lava"/);
+  assert.equal(faults[0].pointer, '/blueprints/wall/faces/top');
+});
+
 test('two elements share both parts', async (t) => {
   const one = '<ray-caster scene="room" style="width: 320px"></ray-caster>';
   const { page, server } = await openGuest(t, browser, { body: one + one });

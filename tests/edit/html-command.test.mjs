@@ -10,7 +10,7 @@ import { folderWith as folderIn } from '../import/command-folder.mjs';
 
 const root = fileURLToPath(new URL('../../', import.meta.url));
 const kBuilt = path.join(root, 'build/web');
-const kArt = ['engine', 'textures', 'sprites', 'see-through', 'sheets', 'scenes'];
+const kArt = ['engine', 'textures', 'sprites', 'see-through', 'sheets', 'scenes', 'pictures.json'];
 
 let home;
 before(async () => {

@@ -26,6 +26,7 @@ const kModules = [
   'files/picture-size',
   'files/saving',
   'files/share-texts',
+  'files/shipped',
   'files/templates',
   'files/text-form',
   'files/world-link',

@@ -135,6 +135,37 @@ TEST_F(SceneFile, AMissingImageMayHaveANameLikeIt) {
               "; did you mean \"Brick.png\"?");
 }
 
+// The table of shipped pictures names files with their frames.
+TEST_F(SceneFile, MayNameShippedPictures) {
+    std::ofstream(scene()) << R"({ "title": "Shipped",
+  "textures": { "grass": "brick.png" },
+  "blueprints": { "wall": { "faces": { "all": "brick-mossy", "top": "lava" } } },
+  "legend": { "#": "wall" },
+  "maps": [{ "name": "room", "floor": "grass", "levels": [["###", "#.#", "###"]],
+    "objects": [{ "sprite": "fox-running", "x": 1.5, "y": 1.5, "height": 0.5 }] }],
+  "start": { "x": 1.5, "y": 1.5 }
+})";
+    const LoadedScene loaded = readSceneFile(scene());
+    ASSERT_TRUE(loaded.world.has_value());
+    const std::vector<Texture>& textures = loaded.world->textures;
+    ASSERT_EQ(textures.size(), 3u);
+    EXPECT_EQ(textures[0].name, "grass");
+    EXPECT_EQ(textures[0].levels[0].size, 8) << "the scene's own";
+    EXPECT_EQ(textures[1].name, "brick-mossy");
+    EXPECT_EQ(textures[2].laterFrames.size(), 7u);
+    EXPECT_EQ(textures[2].rate, 6.0);
+    EXPECT_EQ(loaded.world->sprites[0].views, 4);
+    EXPECT_EQ(loaded.world->sprites[0].frames.size(), 24u);
+}
+
+TEST_F(SceneFile, SuggestsShippedPictures) {
+    std::ofstream(scene()) << R"({ "title": "Shipped", "maps": [{ "name": "room",
+  "floor": "lavva", "levels": [["."]] }], "start": { "x": 0.5, "y": 0.5 } })";
+    const LoadedScene loaded = readSceneFile(scene());
+    ASSERT_EQ(loaded.faults.size(), 1u);
+    EXPECT_EQ(loaded.faults[0].expected, "the name of a texture; did you mean \"lava\"?");
+}
+
 TEST(ReadWholeFile, ReportsTheErrorOfTheSystem) {
     // A regular file of Linux that tells no size and refuses to be read, by root too
     const char* kUnreadable = "/proc/self/mem";

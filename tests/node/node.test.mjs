@@ -542,3 +542,33 @@ test('a scene that is a game tells its progress and its news', async () => {
   assert.equal(castleScene.game, null);
   castleScene.free();
 });
+
+test('a scene may name shipped pictures, wherever it is', async (t) => {
+  const scene = {
+    title: 'Named',
+    blueprints: { wall: { faces: { all: 'brick', top: 'lava' } } },
+    legend: { '#': 'wall' },
+    maps: [{ name: 'room', levels: [['####', '#..#', '####']], floor: 'grass' }],
+    start: { x: 1.5, y: 1.5, heading: 0 },
+  };
+  const declared = {
+    ...scene,
+    textures: {
+      brick: '../textures/brick.png',
+      grass: '../textures/grass.png',
+      lava: { file: '../sheets/lava.png', frames: 8, rate: 6 },
+    },
+  };
+  const pictureOf = async (given, ...more) => {
+    const loaded = await load(given, ...more);
+    t.after(() => loaded.free());
+    loaded.step(60);
+    return loaded.pixels(kSize).data;
+  };
+  const wanted = await pictureOf(declared);
+  assert.deepEqual(await pictureOf(scene, { base: tmpdir() }), wanted);
+  await assert.rejects(
+    load({ ...scene, maps: [{ ...scene.maps[0], floor: 'gras' }] }),
+    (error) => error instanceof SceneError && /did you mean "grass"/.test(error.message),
+  );
+});

@@ -581,7 +581,7 @@ TEST(ParseScene, StartsCrouchedWhereThereIsNoRoomToStand) {
 }
 
 TEST(LoadScene, PassesOnTheFaultsOfTheText) {
-    for (const auto& [text, count] : {std::pair{"{}", 4u}, {"{", 1u}, {"[]", 1u}}) {
+    for (const auto& [text, count] : {std::pair{"{}", 3u}, {"{", 1u}, {"[]", 1u}}) {
         ParsedScene parsed = parseScene(text, "test.json");
         const std::vector<Fault> faults = parsed.faults;
         const LoadedScene loaded = loadScene(std::move(parsed), {});
@@ -589,6 +589,36 @@ TEST(LoadScene, PassesOnTheFaultsOfTheText) {
         EXPECT_EQ(loaded.faults, faults);
         EXPECT_EQ(loaded.faults.size(), count);
     }
+}
+
+// A page brings the table only for scenes that need it.
+TEST(ParseScene, AsksForTheTableOfShippedPictures) {
+    const auto withoutTable = [](const std::string& text) {
+        SceneParser parser(text, "test.json");
+        while (parser.next()) {
+        }
+        return parser.take();
+    };
+    std::string text = smallScene();
+    EXPECT_FALSE(withoutTable(text).needsPictures);
+    EXPECT_EQ(withoutTable(text).files.size(), 1u);
+    const std::string declared = R"("textures": { "brick": "broken/images/brick.png" },)";
+    text.replace(text.find(declared), declared.size(), "");
+    EXPECT_TRUE(withoutTable(text).needsPictures);
+    EXPECT_TRUE(withoutTable(text).faults.empty());
+    EXPECT_EQ(withoutTable(text).description, nullptr);
+    const ParsedScene parsed =
+        parseScene(text, "test.json", {}, R"({ "textures": { "brick": "textures/brick.png" } })");
+    EXPECT_EQ(parsed.files, (std::vector<std::string>{"slicecast:textures/brick.png"}));
+    EXPECT_EQ(parseScene(text, "test.json").faults.size(), 2u) << "nobody has the table";
+}
+
+// No scene names a file as the shipped ones are named for hosts.
+TEST(ParseScene, TakesNoNamesOfShippedFiles) {
+    std::string text = smallScene();
+    const std::string name = "broken/images/brick.png";
+    text.replace(text.find(name), name.size(), "slicecast:../secret.png");
+    EXPECT_EQ(parseScene(text, "test.json").faults.size(), 1u);
 }
 
 // Whoever mends a scene sees all of its faults at once. A picture whose own text has a fault is not

@@ -11,6 +11,7 @@ import { differences } from './differences.js';
 import { extentOf } from './shapes.js';
 import { draftOf, kindFor, kindOf } from './kinds.js';
 import { cellOf, keyOf } from './selection.js';
+import { pictureOf } from './files/shipped.js';
 import { turnedKinds } from './turned-kinds.js';
 import { isStill, kStill, turnedFace, turnedHeading, turnedPortal } from './turning.js';
 
@@ -47,7 +48,8 @@ export function carriedObject(object, transform, mapName, sprites) {
   const isTurned = !isStill(transform.turn);
   const turned = (heading) => turnedHeading(heading ?? 0, transform.turn);
   const { motion } = object;
-  const hasSides = motion === undefined && sprites[object.sprite]?.views !== undefined;
+  const hasSides =
+    motion === undefined && pictureOf({ sprites }, 'sprites', object.sprite)?.views !== undefined;
   if (isTurned && (object.heading !== undefined || hasSides)) next.heading = turned(object.heading);
   if (motion === undefined) return tidied(next, object);
   next.motion = { ...motion };

@@ -21,6 +21,8 @@ import { isOfThing, linkLines, shownLinks } from './link-marks.js';
 import { Links } from './links.js';
 import { kBrass, linesOf } from './mark-lines.js';
 import { outlineOf } from './selection.js';
+import { pictureOf } from './files/shipped.js';
+import { tableOf } from './names.js';
 import { valueAt } from './things.js';
 
 let strokes = 0;
@@ -297,8 +299,11 @@ export class Editor {
     if (this.selection !== null && this.selection.map !== this.map) this.selection = null;
     const kinds = kindsOf(this.scene, this.map);
     if (!kinds.some(({ sign }) => sign === this.sign)) this.sign = kinds[0]?.sign ?? '';
-    const { textures = {}, sprites = {} } = this.scene.value;
-    if (this.thing?.name !== undefined && !Object.hasOwn(sprites, this.thing.name))
+    const { value } = this.scene;
+    if (
+      this.thing?.name !== undefined &&
+      pictureOf(value, 'sprites', this.thing.name) === undefined
+    )
       this.thing = null;
     this.thing ??= 'start';
     if (this.edited !== null && valueAt(this.scene.value, this.edited) === undefined)
@@ -306,8 +311,8 @@ export class Editor {
     const { ways } = this.tool ?? {};
     if (ways !== undefined && !ways.includes(this.way)) this.way = ways[0];
     if (this.pending !== null && !isStillThere(this.scene.value, this.pending)) this.pending = null;
-    if (!Object.hasOwn(textures, this.texture ?? ''))
-      this.texture = Object.keys(textures)[0] ?? null;
+    if (pictureOf(value, 'textures', this.texture ?? '') === undefined)
+      this.texture = Object.keys(tableOf(value, 'textures'))[0] ?? null;
   }
 
   #tell(what, words) {

@@ -11,6 +11,7 @@
 import { isInside } from './cells.js';
 import { framesOf, isPlaced, mapNumber, middleOf, startMap, withoutNames } from './links.js';
 import { movedEnd, portalEnd } from './portal-ends.js';
+import { pictureOf } from './files/shipped.js';
 import { moveChanges, thingsOf, valueAt } from './things.js';
 
 const kLampHeight = 0.8; // over the ground
@@ -121,7 +122,7 @@ export function headingPath(value, path) {
   if (object === undefined) return null;
   if (object.motion !== undefined)
     return object.motion.kind === 'patrol' ? null : [...path, 'motion', 'heading'];
-  const hasViews = value.sprites?.[object.sprite]?.views !== undefined;
+  const hasViews = pictureOf(value, 'sprites', object.sprite)?.views !== undefined;
   return hasViews || object.heading !== undefined ? [...path, 'heading'] : null;
 }
 

@@ -30,6 +30,7 @@ import { Problems } from './problems.js';
 import { sizeOf } from './cells.js';
 import { textureOf } from './shapes.js';
 import { Selecting } from './selecting.js';
+import { knowShipped } from './files/shipped.js';
 import { SideView } from './side-view.js';
 import { askName } from './small-dialogs.js';
 import { Stamps } from './stamps.js';
@@ -53,7 +54,12 @@ const kTools = [place, line, box, fill, replace, paint, shape, thing, link, sele
 const byId = (id) => document.getElementById(id);
 
 const caster = byId('picture');
+const named = fetch(new URL('pictures.json', document.baseURI))
+  .then((answer) => answer.json())
+  .then(knowShipped)
+  .catch(() => {}); // the engine tells which names are unknown
 const world = await openWorld(new URL(location.href)).catch((error) => fail(error));
+await named;
 const kept = new Autosave(world.name);
 const before = await kept.read();
 if (before?.base?.handle !== undefined) world.home ??= pickedFile(before.base.handle);

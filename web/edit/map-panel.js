@@ -16,6 +16,7 @@ import {
   withoutMap,
 } from './map-size.js';
 import { freeName } from './kinds.js';
+import { namesToChoose } from './files/shipped.js';
 import { ask, askWhether } from './small-dialogs.js';
 
 const kAnchors = ['north-west', 'north', 'north-east', 'west', 'middle', 'east'].concat([
@@ -140,7 +141,7 @@ export class MapPanel {
     name.addEventListener('input', check);
     const [width, depth] = [numberField(kUsualSide), numberField(kUsualSide)];
     const floor = document.createElement('select');
-    floor.append(...Object.keys(scene.value.textures ?? {}).map((one) => new Option(one)));
+    floor.append(...namesToChoose(scene.value, 'textures').map((one) => new Option(one)));
     const present = scene.value.maps[map].floor;
     floor.value = typeof present === 'string' ? present : (present?.texture ?? '');
     const parts = [

@@ -4,11 +4,13 @@
 //
 //     namesOf(value, 'gates')                      // also 'maps', 'textures', ..., 'finds'
 //     usesOf(value, 'sprites', 'oak')              // paths
+//     tableOf(value, 'textures')                   // its own ones, and the shipped ones it names
 //     namedChange(scene, path, value)              // {changes} to set that value, with all that
 //                                                  // refers to it; or {words} if that cannot be
 //     renameChange(scene, ['sprites', 'oak'], 'elm')     // the same for a key
 //     keyed(path)                                  // whether the last key is such a name
 
+import { shippedPicture } from './files/shipped.js';
 import { findsOf, matchesOf } from './links.js';
 import { valueAt } from './things.js';
 
@@ -98,6 +100,16 @@ export function usesOf(value, what, name) {
     .flatMap(({ pattern }) => matchesOf(value, pattern))
     .filter(([path, found]) => found === name && path.at(-1) !== 'comment')
     .map(([path]) => path);
+}
+
+export function tableOf(value, what) {
+  const used = kReferences
+    .filter((reference) => reference.what === what)
+    .flatMap(({ pattern }) => matchesOf(value, pattern))
+    .filter(([path, name]) => typeof name === 'string' && path.at(-1) !== 'comment')
+    .map(([, name]) => [name, shippedPicture(what, name)])
+    .filter(([name, entry]) => entry !== undefined && !Object.hasOwn(value[what] ?? {}, name));
+  return { ...value[what], ...Object.fromEntries(used) };
 }
 
 export const keyed = (path) => path.length === 2 && Object.hasOwn(kKeyed, path[0]);

@@ -9,6 +9,8 @@ import { paintBlock, paintPart, paintWhole } from './block-icons.js';
 import { kFinds } from './finds.js';
 import { kLinkLooks } from './link-looks.js';
 import { kindsOf } from './kinds.js';
+import { pictureOf } from './files/shipped.js';
+import { tableOf } from './names.js';
 import { thing } from './tools/thing.js';
 
 const kIcon = 44; // CSS pixels
@@ -46,10 +48,9 @@ export class Palette {
 
   get #entries() {
     const { scene, map } = this.#editor;
-    const { textures = {}, sprites = {} } = scene.value;
     switch (this.#what) {
       case 'textures':
-        return Object.keys(textures).map((name) => ({
+        return Object.keys(tableOf(scene.value, 'textures')).map((name) => ({
           key: name,
           name,
           choice: { texture: name },
@@ -71,7 +72,7 @@ export class Palette {
               paintStar(icon);
             },
           })),
-          ...Object.keys(sprites).map((name) => ({
+          ...Object.keys(tableOf(scene.value, 'sprites')).map((name) => ({
             key: `sprite ${name}`,
             name,
             choice: { thing: { name, height: this.#usualHeight(name) } },
@@ -173,12 +174,14 @@ export class Palette {
 
   // As other objects with that sprite have it, or else the shipped scenes.
   #usualHeight(name) {
-    const { maps, sprites } = this.#editor.scene.value;
+    const { value } = this.#editor.scene;
+    const { maps } = value;
     const heights = maps
       .flatMap(({ objects = [] }) => objects)
       .filter(({ sprite }) => sprite === name)
       .map(({ height }) => height);
-    const file = sprites[name].file ?? sprites[name];
+    const picture = pictureOf(value, 'sprites', name);
+    const file = picture.file ?? picture;
     return heights[heights.length >> 1] ?? this.#actions.heightOf(file) ?? 1;
   }
 

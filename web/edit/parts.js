@@ -15,6 +15,7 @@ import { cellChanges, isInside, signReader } from './cells.js';
 import { carriedLamp, carriedObject, isWithin, placeOfThing } from './carrying.js';
 import { draftOf, freeName, isSame, kindFor } from './kinds.js';
 import { boxAround, cellOf, keyOf, transformed, transformOf } from './selection.js';
+import { shippedPicture } from './files/shipped.js';
 import { turnedKinds } from './turned-kinds.js';
 import { isStill, kStill, turnedFace, turnedPortal } from './turning.js';
 
@@ -86,9 +87,11 @@ export function isEmptyPart({ cells, objects, lamps }) {
 // What the part's blocks and objects are made of.
 function collect(part, { blueprints = {}, motions = {}, textures = {}, sprites = {} }) {
   const take = (kind, all, name, then = () => {}) => {
-    if (name === undefined || Object.hasOwn(part[kind], name) || !Object.hasOwn(all, name)) return;
-    part[kind][name] = all[name];
-    then(all[name]);
+    if (name === undefined || Object.hasOwn(part[kind], name)) return;
+    const entry = Object.hasOwn(all, name) ? all[name] : shippedPicture(kind, name);
+    if (entry === undefined) return;
+    part[kind][name] = entry;
+    then(entry);
   };
   const texture = (name) =>
     take('textures', textures, name, ({ variants = [] }) => variants.forEach(texture));
@@ -162,6 +165,7 @@ export function pasteChanges(scene, map, part, at, world = '') {
     const entry = part[kind][name];
     if (entry === undefined || renamed[kind].has(name)) return renamed[kind].get(name) ?? name;
     const known = draft.value[kind] ?? {};
+    if (!Object.hasOwn(known, name) && isSame(shippedPicture(kind, name), entry)) return name;
     const same = [name, ...Object.keys(known)].find(
       (other) => Object.hasOwn(known, other) && isSame(known[other], entry),
     );

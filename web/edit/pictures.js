@@ -6,6 +6,8 @@
 //     pictures.meanOf('brick')             // '#a0887c', or null until then
 //     pictures.listen(() => ...)           // another one has come
 
+import { pictureOf } from './files/shipped.js';
+
 export class Pictures {
   #scene;
   #readFile;
@@ -22,15 +24,15 @@ export class Pictures {
   }
 
   imageOf(name) {
-    return this.#entryOf(this.#scene.value.textures?.[name])?.image ?? null;
+    return this.#entryOf(pictureOf(this.#scene.value, 'textures', name))?.image ?? null;
   }
 
   spriteOf(name) {
-    return this.#entryOf(this.#scene.value.sprites?.[name])?.image ?? null;
+    return this.#entryOf(pictureOf(this.#scene.value, 'sprites', name))?.image ?? null;
   }
 
   meanOf(name) {
-    return this.#entryOf(this.#scene.value.textures?.[name])?.mean ?? null;
+    return this.#entryOf(pictureOf(this.#scene.value, 'textures', name))?.mean ?? null;
   }
 
   // Of a file that the scene need not name.

@@ -12,7 +12,7 @@ import { nearestName } from '../engine/nearest-name.js';
 import { bringRows } from './later-parts.js';
 import { fetchOnce, pictures } from './page-cache.js';
 import { readSceneObject } from '../engine/scene-object.js';
-import { filesBy, isFile, isShippedFile, nameOf } from '../engine/source-parts.js';
+import { filesBy, isFile, isShippedFile, nameOf, shippedAddress } from '../engine/source-parts.js';
 import { Trouble, coded } from '../engine/trouble.js';
 
 const kScenes = new URL('scenes/', kHome); // inline scenes name files relative to this folder
@@ -23,7 +23,7 @@ const kPre = 'pre'; // if nothing else is a scene
 const kName = /^[\w-]+$/;
 // name -> {scene, tour} of imported modules slicecast/scenes/NAME
 const kImported = Symbol.for('slicecast.scenes');
-const kShipped = /^(scenes|textures|see-through|sheets|sprites|tours)\//;
+const kShipped = /^((scenes|textures|see-through|sheets|sprites|tours)\/|pictures\.json$)/;
 
 const keys = new WeakMap(); // source made by a page -> its key
 let keyCount = 0;
@@ -255,15 +255,16 @@ function sceneOfPage(source) {
       const text = await source.readText();
       return typeof text === 'string' ? new TextEncoder().encode(text) : text;
     },
-    ...filesBy((file) => source.readFile(file)),
+    ...filesBy((file, onBytes) => {
+      const shipped = shippedAddress(file, kHome);
+      return shipped ? fetchFile(shipped, onBytes) : source.readFile(file);
+    }),
   };
 }
 
 function filesAt(addressOfFile) {
-  return {
-    addressOf: addressOfFile,
-    ...filesBy((file, onBytes) => fetchFile(addressOfFile(file), onBytes)),
-  };
+  const addressOf = (file) => shippedAddress(file, kHome) ?? addressOfFile(file);
+  return { addressOf, ...filesBy((file, onBytes) => fetchFile(addressOf(file), onBytes)) };
 }
 
 // If the server sends a web page instead of a shipped file, the package's folders are missing where

@@ -15,6 +15,7 @@ import { createModule, createModuleNow } from './engine-module.js';
 import { withBytes, withStrings } from './module-memory.js';
 import { misread, unknown } from './nearest-name.js';
 import { Pauses } from './pauses.js';
+import { kShippedTable } from './source-parts.js';
 import { Trouble } from './trouble.js';
 
 const kAxes = ['forward', 'strafe', 'turn', 'look', 'fly'];
@@ -84,7 +85,7 @@ export class Engine {
   async #loadScene(source, { onProgress, keepEye = false, isWanted = () => true }) {
     const load = ++this.#loads;
     const isLatest = () => load === this.#loads && isWanted();
-    const loading = new SceneLoading(this.#module, this.#session, isLatest);
+    const loading = new SceneLoading(this, this.#module, this.#session, isLatest);
     const names = await loading.readNames(source, onProgress);
     if (names === null) return null;
     await loading.supplyFiles(names.files, source, onProgress);
@@ -208,7 +209,7 @@ export class Engine {
     const module = this.#module;
     const session = module._slicecast_create();
     try {
-      const loading = new SceneLoading(module, session);
+      const loading = new SceneLoading(this, module, session);
       const { files } = await loading.readNames(source);
       await loading.supplyFiles(files, source);
       return (await loading.start()).faults.length === 0
@@ -534,13 +535,15 @@ export class Engine {
 // Loads a scene in three steps, in slices: in between, the page and the old scene go on. Each step
 // gives null if the scene is no longer wanted.
 class SceneLoading {
+  #engine;
   #module;
   #session;
   #isWanted;
   #pauses = new Pauses();
   #bytes = 0;
 
-  constructor(module, session, isWanted = () => true) {
+  constructor(engine, module, session, isWanted = () => true) {
+    this.#engine = engine;
     this.#module = module;
     this.#session = session;
     this.#isWanted = isWanted;
@@ -549,13 +552,25 @@ class SceneLoading {
   // The text: {files, faults}.
   async readNames(source, onProgress = () => {}) {
     const text = await source.readText();
+    const parse = () => {
+      if (!this.#isWanted()) return null;
+      withBytes(this.#module, text, (textAt) =>
+        withStrings(this.#module, [source.name], (nameAt) =>
+          this.#module._slicecast_parse(this.#session, textAt, text.length, nameAt),
+        ),
+      );
+      return this.#finish((share) => onProgress(kTextShare * share, 0));
+    };
+    const names = await parse();
+    if (names === null || names.files) return names;
+    // The program's later part reads it.
+    const [table] = await Promise.all([source.readFile(kShippedTable), this.#engine.complete()]);
     if (!this.#isWanted()) return null;
-    withBytes(this.#module, text, (textAt) =>
-      withStrings(this.#module, [source.name], (nameAt) =>
-        this.#module._slicecast_parse(this.#session, textAt, text.length, nameAt),
-      ),
+    const pictures = table ?? new TextEncoder().encode('{}');
+    withBytes(this.#module, pictures, (at) =>
+      this.#module._slicecast_takePictures(this.#session, at, pictures.length),
     );
-    return this.#finish((share) => onProgress(kTextShare * share, 0));
+    return parse();
   }
 
   // The files that the text names: each is decoded as it arrives, while the others load.

@@ -41,6 +41,16 @@ export function isShippedFile(file) {
   return /^\.\.\/(textures|see-through|sheets|sprites)\//.test(file);
 }
 
+// The table of the shipped pictures (src/scene/scene.h), and how names of shipped files begin,
+// wherever the scene is: they are in the package's own folder.
+export const kShippedTable = 'slicecast:pictures.json';
+
+// The address of such a file, or undefined.
+export function shippedAddress(file, home) {
+  const [, path] = /^slicecast:(.*)/.exec(file) ?? [];
+  return path && new URL(path, home);
+}
+
 // readFile returns null for a file that cannot be read, and does not try it again. The engine
 // reports the place in the scene that names it; `failures` has the reason.
 export function filesBy(read) {

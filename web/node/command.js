@@ -13,14 +13,15 @@ import { mkdir, readFile, realpath, stat, writeFile } from 'node:fs/promises';
 import path from 'node:path';
 import process from 'node:process';
 import { parseArgs } from 'node:util';
-import { fileURLToPath } from 'node:url';
+import { fileURLToPath, pathToFileURL } from 'node:url';
 import { deflateRawSync } from 'node:zlib';
 
 import { htmlFile } from '../edit/files/html-file.js';
 import { textIn } from '../edit/files/text-form.js';
+import { knowShipped } from '../edit/files/shipped.js';
 import { Engine } from '../engine/engine.js';
 import { kMostFileBytes, tooLong } from '../engine/limits.js';
-import { isShippedFile } from '../engine/source-parts.js';
+import { isShippedFile, shippedAddress } from '../engine/source-parts.js';
 import { ImportError, makeScene, readForeign } from '../edit/import/index.js';
 import { readEngine } from './engine-files.js';
 import { load, SceneError } from './index.js';
@@ -160,6 +161,8 @@ async function makeHtml(words) {
   const { text } = textIn(await bytesOf(words.file));
   const readPicture = async (file) => {
     const beside = await bytesOf(path.join(folder, file)).catch(() => null);
+    const shipped = shippedAddress(file, pathToFileURL(`${kPackage}/`));
+    if (shipped) return bytesOf(fileURLToPath(shipped)).catch(() => null);
     if (beside !== null || !isShippedFile(file)) return beside;
     return bytesOf(path.join(kPackage, 'scenes', file)).catch(() => null);
   };
@@ -168,6 +171,7 @@ async function makeHtml(words) {
   const faults = await engine.loadScene({ ...source, readFile: readPicture });
   engine.stop();
   if (faults.length > 0) throw new SceneError('scene', `${words.file} has faults:`, faults);
+  knowShipped(JSON.parse(await bytesOf(path.join(kPackage, 'pictures.json'))));
   const player = await readFile(path.join(kPackage, 'edit/player.txt'), 'utf8');
   const deflate = (bytes) => deflateRawSync(bytes, { level: 9 });
   const html = await htmlFile({ player, text, readPicture, deflate });

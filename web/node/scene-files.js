@@ -16,7 +16,7 @@ import { kMostFileBytes, kMostSceneBytes, tooLong } from '../engine/limits.js';
 import { coded } from '../engine/trouble.js';
 import { sceneOfObject } from '../engine/rows.js';
 import { readSceneObject } from '../engine/scene-object.js';
-import { filesBy, isFile, isShippedFile, nameOf } from '../engine/source-parts.js';
+import { filesBy, isFile, isShippedFile, nameOf, shippedAddress } from '../engine/source-parts.js';
 
 // Bundled as a classic script, this has no address. Then shipped files are not found, and reading
 // them fails.
@@ -38,7 +38,11 @@ export function openScene(scene, base) {
       name: isRows ? 'rows' : 'scene',
       readText: async () => new TextEncoder().encode(whole),
       ...filesBy((file) =>
-        bytesAt(pictureOf(file) ?? new URL(file, isRows && isShippedFile(file) ? kShipped : own)),
+        bytesAt(
+          shippedAddress(file, kPackage) ??
+            pictureOf(file) ??
+            new URL(file, isRows && isShippedFile(file) ? kShipped : own),
+        ),
       ),
     };
   }
@@ -54,7 +58,7 @@ export function openScene(scene, base) {
       if (isFile(from)) beside = from;
       return bytes;
     },
-    ...filesBy((file) => bytesAt(new URL(file, beside))),
+    ...filesBy((file) => bytesAt(shippedAddress(file, kPackage) ?? new URL(file, beside))),
   };
 }
 

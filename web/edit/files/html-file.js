@@ -11,9 +11,12 @@
 
 import { denseText } from './dense-text.js';
 import { escaped } from './share-texts.js';
+import { declared } from './shipped.js';
 
 export async function htmlFile({ player, text, readPicture, deflate }) {
-  const scene = readScene(text);
+  const own = readScene(text);
+  const words = wordsIn(own);
+  const scene = declared(own, (name) => words.has(name));
   leaveOutUnused(scene);
   const title = String(scene.title || 'A world');
   const pictures = [];

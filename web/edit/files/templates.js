@@ -2,41 +2,20 @@
 //
 //     templates      // [{name, title, about, scene()}]
 
-const texture = (name, folder = 'textures') => `../${folder}/${name}.png`;
-
-const kTextures = {
-  'stone blocks': texture('stone-blocks-worn'),
-  brick: texture('brick-weathered'),
-  flagstones: texture('flagstones'),
-  planks: texture('planks-wall'),
-  boards: texture('planks-floor'),
-  plaster: texture('timber-frame'),
-  grass: texture('grass-meadow'),
-  turf: texture('turf'),
-  earth: texture('earth'),
-  rock: texture('rock'),
-  moss: texture('moss'),
-  sand: texture('sand'),
-  hedge: texture('hedge'),
-  slate: texture('roof-slate'),
-  window: texture('window-brick'),
-  glass: texture('stained-glass', 'see-through'),
-};
-
 const kBlueprints = {
-  'stone wall': { faces: { all: 'stone blocks', top: 'flagstones' } },
-  'brick wall': { faces: { all: 'brick', top: 'flagstones' } },
-  'wooden wall': { faces: { all: 'planks', top: 'boards' } },
-  'plastered wall': { faces: { all: 'plaster', top: 'boards' } },
-  window: { faces: { all: 'window', top: 'flagstones' } },
+  'stone wall': { faces: { all: 'stone-blocks-worn', top: 'flagstones' } },
+  'brick wall': { faces: { all: 'brick-weathered', top: 'flagstones' } },
+  'wooden wall': { faces: { all: 'planks-wall', top: 'planks-floor' } },
+  'plastered wall': { faces: { all: 'timber-frame', top: 'planks-floor' } },
+  window: { faces: { all: 'window-brick', top: 'flagstones' } },
   rock: { faces: { all: 'rock', top: 'moss' } },
-  bank: { faces: { all: 'earth', sides: 'turf', top: 'grass' } },
+  bank: { faces: { all: 'earth', sides: 'turf', top: 'grass-meadow' } },
   hedge: { faces: 'hedge' },
-  step: { top: 0.5, faces: { all: 'stone blocks', top: 'flagstones' } },
-  slab: { top: 0.2, faces: { all: 'boards' } },
-  ramp: { top: [0, 1], rise: 'east', faces: { all: 'stone blocks', top: 'flagstones' } },
-  roof: { top: [0, 1], rise: 'south', faces: { all: 'planks', top: 'slate' } },
-  glass: { faces: 'glass' },
+  step: { top: 0.5, faces: { all: 'stone-blocks-worn', top: 'flagstones' } },
+  slab: { top: 0.2, faces: { all: 'planks-floor' } },
+  ramp: { top: [0, 1], rise: 'east', faces: { all: 'stone-blocks-worn', top: 'flagstones' } },
+  roof: { top: [0, 1], rise: 'south', faces: { all: 'planks-wall', top: 'roof-slate' } },
+  glass: { faces: 'stained-glass' },
 };
 
 const kLegend = {
@@ -62,11 +41,11 @@ const kNoLight = { on: false };
 function made(title, levels, start, map = {}) {
   return {
     title,
-    textures: kTextures,
+    textures: { sand: '../textures/sand.png' },
     sprites: {
-      oak: texture('oak', 'sprites'),
-      birch: texture('birch', 'sprites'),
-      bush: texture('flower-bush', 'sprites'),
+      oak: '../sprites/oak.png',
+      birch: '../sprites/birch.png',
+      bush: '../sprites/flower-bush.png',
     },
     blueprints: kBlueprints,
     legend: kLegend,
@@ -74,7 +53,7 @@ function made(title, levels, start, map = {}) {
       {
         name: 'world',
         levels,
-        floor: 'grass',
+        floor: 'grass-meadow',
         objects: [],
         sky: kDay,
         light: kNoLight,

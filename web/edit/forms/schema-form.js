@@ -7,6 +7,7 @@
 //     form.show(null);
 
 import { keyed, namedChange, namesOf, renameChange } from '../names.js';
+import { namesToChoose } from '../files/shipped.js';
 import { valueAt } from '../things.js';
 import { kindOfValue } from './schema.js';
 
@@ -63,7 +64,9 @@ export class SchemaForm {
   }
 
   #names(what) {
-    return namesOf(this.#editor.scene.value, what);
+    const { value } = this.#editor.scene;
+    const isPicture = what === 'textures' || what === 'sprites';
+    return isPicture ? namesToChoose(value, what) : namesOf(value, what);
   }
 
   // A line for each key that an object has or may have, or each element of a list.

@@ -7,6 +7,7 @@ import { gateAt, moverAt, openedByFind, openedByGate, plainAt } from '../gates.j
 import { beside, blueprintAt, sideBox } from '../links.js';
 import { boxLines, cellLines, kBrass, kCoral } from '../mark-lines.js';
 import { portalBetween, portalEnd } from '../portal-ends.js';
+import { pictureOf } from '../files/shipped.js';
 import { valueAt } from '../things.js';
 import { extentOf } from '../shapes.js';
 import { cross, dragHandle, handleMarks, removeHandle, turnHandle } from './handle-strokes.js';
@@ -215,9 +216,9 @@ function withPoint(scene, path, map, [x, y]) {
 }
 
 // "guard" walks as "guard walking", where the scene has that.
-function walkOf({ sprites = {} }, sprite) {
-  const walk = [`${sprite} walking`, `${sprite}-walking`].find((name) =>
-    Object.hasOwn(sprites, name),
+function walkOf(value, sprite) {
+  const walk = [`${sprite} walking`, `${sprite}-walking`].find(
+    (name) => pictureOf(value, 'sprites', name) !== undefined,
   );
   return walk === undefined ? undefined : { walk };
 }
