@@ -53,6 +53,20 @@ test('it makes one file of a scene, its own pictures and shipped ones', async ()
   assert.equal((await call('html', 'maps/yard.json', '-o', 'maps/yard.json')).status, 2);
 });
 
+test('it carries shipped pictures that the scene names without declaring them', async () => {
+  const declared = { own: 'own.png', brick: '../textures/brick.png' };
+  const { call, read } = await folderWith({
+    'yard.json': scene({ textures: declared }),
+    'named.json': scene({ textures: { own: 'own.png' } }),
+    'own.png': kPicture,
+  });
+  for (const name of ['yard', 'named'])
+    assert.equal((await call('html', `${name}.json`)).status, 0, name);
+  const [yard, named] = [await read('yard.html'), await read('named.html')];
+  assert.equal(named.length, yard.length, 'the same scene');
+  assert.equal(named, yard);
+});
+
 test('of a scene with faults it makes none, and lists them', async () => {
   const { call, read } = await folderWith({
     'yard.json': scene(),
