@@ -64,14 +64,16 @@ using Progress = std::function<void(double share)>;
 
 // Reads a scene file (JSON) and the PNG files that it names; their paths are relative to its
 // folder. Opens regular files only, because a pipe could block forever. Limits: 128 MB for the
-// text, 64 MB for each image.
+// text, 64 MB for each image. Shipped pictures that the scene names without declaring them are those
+// of the sources from which the library was built; without these, the names are faults.
 LoadResult loadSceneFile(const std::filesystem::path& file, const Progress& progress = {});
 
 // The bytes of PNG files, by the names that the scene uses.
 using ImageFiles = std::map<std::string, std::vector<std::uint8_t>>;
 
 // The same from a text in memory, UTF-8. `name` stands for the file in faults. Touches no disk: an
-// image that `images` lacks is a fault.
+// image that `images` lacks is a fault, and so is the name of a shipped picture that the scene does
+// not declare.
 LoadResult loadSceneText(std::string_view text, const std::string& name,
                          const ImageFiles& images = {}, const Progress& progress = {});
 
