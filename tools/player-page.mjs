@@ -1,7 +1,8 @@
-// Makes the player of a built page: the HTML file that plays a world from a disk, without a world.
+// Makes the player of a built page: the HTML file that plays a world from a disk, without a world,
+// in UTF-16.
 // The editor and the command `slicecast html` fill one in (edit/files/html-file.js).
 //
-//     node tools/player-page.mjs FOLDER   // makes FOLDER/edit/player.txt of FOLDER/edit/player
+//     node tools/player-page.mjs FOLDER   // makes FOLDER/edit/player.bin of FOLDER/edit/player
 //
 // Programs are packed better than zlib does it, as a file is to be small: oxipng packs them as the
 // pixels of a picture with one row, and what is packed there is taken out again.
@@ -12,7 +13,7 @@ import { createRequire } from 'node:module';
 import path from 'node:path';
 import process from 'node:process';
 import { deflateRawSync, deflateSync, inflateRawSync } from 'node:zlib';
-import { denseText } from '../web/edit/files/dense-text.js';
+import { denseText, utf16 } from '../web/edit/files/dense-text.js';
 
 const kParts = {
   player: 'edit/player/main.js',
@@ -104,5 +105,5 @@ for (const [id, bytes] of parts)
     `<script type="text/plain" id="${id}">\n${denseText(await packed(bytes))}\n</script>`,
   );
 fill('{{parts}}', elements.join('\n'));
-await writeFile(at('edit/player.txt'), page);
+await writeFile(at('edit/player.bin'), utf16(page));
 await rm(at('edit/player'), { recursive: true });

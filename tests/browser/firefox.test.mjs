@@ -182,10 +182,7 @@ test('one HTML file plays from a disk', { skip }, async (t) => {
   const folder = await mkdtemp(path.join(tmpdir(), 'slicecast-firefox-'));
   t.after(() => rm(folder, { recursive: true }));
   const file = path.join(folder, 'room.html');
-  const player = await readFile(
-    new URL('../../build/web/edit/player.txt', import.meta.url),
-    'utf8',
-  );
+  const player = await readFile(new URL('../../build/web/edit/player.bin', import.meta.url));
   const files = roomFiles();
   const html = await htmlFile({
     player,

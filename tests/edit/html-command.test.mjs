@@ -43,7 +43,7 @@ test('it makes one file of a scene, its own pictures and shipped ones', async ()
   const { status, stdout, stderr } = await call('html', 'maps/yard.json');
   assert.deepEqual([status, stderr], [0, '']);
   assert.match(stdout, /^Wrote yard\.html: 4\d\d KB\.\n$/);
-  const html = await read('yard.html');
+  const html = await read('yard.html', 'utf16le');
   assert.ok(html.includes('<title>A &lt;yard&gt;</title>'));
   for (const mark of ['title', 'world', 'parts', 'boot']) assert.ok(!html.includes(`{{${mark}}}`));
   const again = await call('html', 'maps/yard.json');
@@ -62,9 +62,9 @@ test('it carries shipped pictures that the scene names without declaring them', 
   });
   for (const name of ['yard', 'named'])
     assert.equal((await call('html', `${name}.json`)).status, 0, name);
-  const [yard, named] = [await read('yard.html'), await read('named.html')];
+  const [yard, named] = [await read('yard.html', null), await read('named.html', null)];
   assert.equal(named.length, yard.length, 'the same scene');
-  assert.equal(named, yard);
+  assert.deepEqual(named, yard);
 });
 
 test('of a scene with faults it makes none, and lists them', async () => {

@@ -1,6 +1,7 @@
 // Folders to run the command `slicecast` in, which lies in HOME/slicecast/node.
 //
 //     const { folder, call, read } = await folderWith(home, { 'maps/yard.json': text });
+//     await read('a.json')               // its text
 //     await call('import', 'a.tmx')      // {status, stdout, stderr}
 
 import { execFile } from 'node:child_process';
@@ -21,5 +22,9 @@ export async function folderWith(home, files) {
         resolve({ status: error?.code ?? 0, stdout, stderr }),
       );
     });
-  return { folder, call, read: (name) => readFile(path.join(folder, name), 'utf8') };
+  return {
+    folder,
+    call,
+    read: (name, encoding = 'utf8') => readFile(path.join(folder, name), encoding),
+  };
 }

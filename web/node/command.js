@@ -172,11 +172,11 @@ async function makeHtml(words) {
   engine.stop();
   if (faults.length > 0) throw new SceneError('scene', `${words.file} has faults:`, faults);
   knowShipped(JSON.parse(await bytesOf(path.join(kPackage, 'pictures.json'))));
-  const player = await readFile(path.join(kPackage, 'edit/player.txt'), 'utf8');
+  const player = await readFile(path.join(kPackage, 'edit/player.bin'));
   const deflate = (bytes) => deflateRawSync(bytes, { level: 9 });
   const html = await htmlFile({ player, text, readPicture, deflate });
   await write([[output, html]], words.force);
-  const size = Math.ceil(Buffer.byteLength(html) / 1024);
+  const size = Math.ceil(html.length / 1024);
   process.stdout.write(`${printable(`Wrote ${words.output}: ${size} KB.`)}\n`);
 }
 

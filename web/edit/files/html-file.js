@@ -1,15 +1,16 @@
 // One HTML file that plays a world from a disk: without a server, and without a request.
-// Takes the player (tools/player-page.mjs makes it), a scene's text and its pictures; gives HTML.
-// Throws an Error in plain words. Works in pages and under Node; `deflate` packs without a frame.
+// Takes the player's file (tools/player-page.mjs makes it), a scene's text and its pictures; gives
+// the bytes of the file. Throws an Error in plain words. Works in pages and under Node; `deflate`
+// packs without a frame.
 //
-//     const html = await htmlFile({ player, text, readPicture: async (file) => bytes, deflate });
+//     const bytes = await htmlFile({ player, text, readPicture: async (file) => bytes, deflate });
 //     picturesOf(scene)              // the files that a scene names
 //     wordsIn(scene)                 // a Set: a picture whose name is not among them is not used
 //
 // All that others have written, names and texts, is packed into letters that mean nothing to HTML;
 // only the title stands there as it is, escaped.
 
-import { denseText } from './dense-text.js';
+import { denseText, utf16 } from './dense-text.js';
 import { escaped } from './share-texts.js';
 import { declared } from './shipped.js';
 
@@ -36,10 +37,11 @@ export async function htmlFile({ player, text, readPicture, deflate }) {
     ...pictures.map(([, bytes]) => bytes),
   ]);
   // The title last: it stands before the world, so nothing that others have written is a place.
-  return [
+  const page = [
     ['{{world}}', denseText(deflate(world))],
     ['{{title}}', escaped(title)],
-  ].reduce(filledIn, player);
+  ].reduce(filledIn, new TextDecoder('utf-16le').decode(player));
+  return utf16(page);
 }
 
 // At the first such place.

@@ -9,7 +9,7 @@ import { htmlFile } from './html-file.js';
 import { frameFor, tagFor } from './share-texts.js';
 import { linkOf } from './world-link.js';
 
-const kPlayer = new URL('edit/player.txt', kHome);
+const kPlayer = new URL('edit/player.bin', kHome);
 const kShownCopied = 2000; // milliseconds
 
 export function shareDialog(dialog, button, { scene, own, ownPictures, world, saveBar }) {
@@ -69,14 +69,14 @@ export function shareDialog(dialog, button, { scene, own, ownPictures, world, sa
     currentTarget.disabled = true;
     tell('Making the file …');
     try {
-      const text = await htmlFile({
+      const bytes = await htmlFile({
         player: await readPlayer(),
         text: scene.text,
         readPicture: (file) => readPicture(own, file, world),
         deflate: (bytes) => deflateSync(bytes, { level: 9, mem: 12 }),
       });
-      download(`${name()}.html`, text, 'text/html');
-      tell(`Saved ${name()}.html: ${Math.ceil(text.length / 1024)} KB.`);
+      download(`${name()}.html`, bytes, 'text/html');
+      tell(`Saved ${name()}.html: ${Math.ceil(bytes.length / 1024)} KB.`);
     } catch (error) {
       tell(`The file cannot be made. ${error.message}`);
     }
@@ -87,5 +87,5 @@ export function shareDialog(dialog, button, { scene, own, ownPictures, world, sa
 async function readPlayer() {
   const answer = await fetch(kPlayer).catch(() => null);
   if (!answer?.ok) throw new Error('The player could not be loaded: is the page offline?');
-  return answer.text();
+  return answer.arrayBuffer();
 }
