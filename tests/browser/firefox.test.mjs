@@ -178,6 +178,30 @@ test(
   },
 );
 
+test('the editor adds a block and takes it back', { skip }, async () => {
+  await page.evaluate(() => localStorage.setItem('slicecast edit tour', 'yes'));
+  await page.goto(`${server.address}edit.html?template=meadow`);
+  await page.waitForFunction(() => document.body.dataset.state === 'ready');
+  const state = () =>
+    page.evaluate(async () => {
+      const { caster, editor, scene, sync } = window.slicecastEditor;
+      await sync.settled();
+      const rows = scene.rows(editor.map, 0).map((row) => row.replaceAll(' ', '.'));
+      const drawn = caster.cells(editor.mapName)[0].map((row) => row.replaceAll(' ', '.'));
+      return { text: scene.text, isDrawn: drawn.join() === rows.join() };
+    });
+  const { text } = await state();
+  const { x, y, width, height } = await (await page.$('#picture')).boundingBox();
+  await page.mouse.click(x + width / 2, y + 0.7 * height);
+  const built = await state();
+  assert.notEqual(built.text, text);
+  assert.ok(built.isDrawn);
+  await page.keyboard.down('Control');
+  await page.keyboard.press('z');
+  await page.keyboard.up('Control');
+  assert.deepEqual(await state(), { text, isDrawn: true });
+});
+
 test('one HTML file plays from a disk', { skip }, async (t) => {
   const folder = await mkdtemp(path.join(tmpdir(), 'slicecast-firefox-'));
   t.after(() => rm(folder, { recursive: true }));
