@@ -296,6 +296,22 @@ std::string Game::setCell(int map, int level, int x, int y, std::string_view sig
     return state_->session.setCell({map, level, x, y}, sign);
 }
 
+std::string Game::setCells(int map, std::span<const CellChange> changes) {
+    return state_->session.setCells(map, changes);
+}
+
+bool Game::mark(std::span<const Mark> lines) {
+    if (lines.size() > kMostMarks) return false;
+    const auto isWithin = [](const Place& place) {
+        return std::abs(place.x) <= kCoordinateLimit && std::abs(place.y) <= kCoordinateLimit &&
+               std::abs(place.z) <= kCoordinateLimit;
+    };
+    for (const Mark& line : lines)
+        if (!state_->hasMap(line.map) || !isWithin(line.from) || !isWithin(line.to)) return false;
+    state_->session.setMarks({lines.begin(), lines.end()});
+    return true;
+}
+
 std::vector<Blueprint> Game::blueprints(int map) const {
     std::vector<Blueprint> list;
     if (!state_->hasMap(map)) return list;

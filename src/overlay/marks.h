@@ -11,24 +11,14 @@
 
 #include "render/eye.h"
 #include "render/options.h"
-#include "slicecast/colour.h"
+#include "slicecast/mark.h"
 #include "slicecast/picture.h"
-#include "world/line_of_sight.h"
 #include "world/world.h"
 
-#include <cstddef>
 #include <span>
 
 namespace slicecast {
 
-struct Mark {
-    int map = 0;  // index into World::maps
-    Place from;
-    Place to;
-    Colour colour;
-};
-
-inline constexpr std::size_t kMostMarks = 16384;  // of a picture: outlines of 1,365 boxes
 // How often a picture asks whether something hides a place: once for each pixel of usual marks;
 // more of them are asked about in longer pieces. Each time takes as long as a ray.
 inline constexpr int kMostSights = 8192;

@@ -10,6 +10,7 @@
 // Moving blocks appear where they stand at rest.
 #pragma once
 
+#include "slicecast/cell_change.h"
 #include "world/world.h"
 
 #include <cstddef>
@@ -29,14 +30,6 @@ struct CellAt {
     int y = 0;
 
     friend bool operator==(const CellAt&, const CellAt&) = default;
-};
-
-// What to put into a cell of some map.
-struct CellChange {
-    int level = 0;
-    int x = 0;
-    int y = 0;
-    std::string_view sign;
 };
 
 struct EditedCell {

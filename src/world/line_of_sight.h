@@ -8,17 +8,12 @@
 // the way, kNearPlace if not said otherwise, because a place may lie on a wall.
 #pragma once
 
+#include "slicecast/place.h"
 #include "world/world.h"
 
 namespace slicecast {
 
 inline constexpr double kNearPlace = 1.0 / 16.0;  // units
-
-struct Place {
-    double x = 0.0;  // units; may lie outside the grid
-    double y = 0.0;
-    double z = 0.0;
-};
 
 bool isInSight(const World& world, const Map& map, const Place& from, const Place& to,
                double ignored = kNearPlace);

@@ -246,6 +246,37 @@ TEST(Library, SetsOptionsAndCells) {
     EXPECT_NE(game.setCell(0, 0, 3, 1, "?"), "");
 }
 
+TEST(Library, SetsManyCellsOrNone) {
+    Game game = corridor();
+    const CellChange moved[] = {{0, 5, 1, "."}, {0, 3, 1, "#"}};
+    const CellChange faulty[] = {{0, 3, 1, "."}, {0, 2, 1, "?"}};
+    EXPECT_EQ(game.setCells(0, moved), "");
+    EXPECT_NE(game.setCells(0, faulty), "");
+    EXPECT_EQ(game.hits(64, 40, 32).at(0).tileX, 3);
+    EXPECT_NE(game.setCells(1, moved), "");
+}
+
+TEST(Library, MarksLinesOverThePicture) {
+    Game game = corridor();
+    const Camera eye = game.camera();
+    const Mark line = {0, {eye.x + 1.0, eye.y - 0.5, eye.z}, {eye.x + 1.0, eye.y + 0.5, eye.z}, {}};
+    const Image before = game.picture(64, 40);
+    ASSERT_TRUE(game.mark({&line, 1}));
+    const Image marked = game.picture(64, 40);
+    EXPECT_NE(marked.pixels, before.pixels);
+    EXPECT_NE(marked.at(32, 20), before.at(32, 20));
+    Mark wrong = line;
+    wrong.map = 1;
+    EXPECT_FALSE(game.mark({&wrong, 1}));
+    wrong = line;
+    wrong.to.z = std::numeric_limits<double>::quiet_NaN();
+    EXPECT_FALSE(game.mark({&wrong, 1}));
+    EXPECT_FALSE(game.mark(std::vector<Mark>(kMostMarks + 1, line)));
+    EXPECT_EQ(game.picture(64, 40).pixels, marked.pixels);
+    ASSERT_TRUE(game.mark({}));
+    EXPECT_EQ(game.picture(64, 40).pixels, before.pixels);
+}
+
 TEST(Library, CopiesASceneWhenAsked) {
     LoadResult built = Corridor().build();
     ASSERT_TRUE(built.scene.has_value());

@@ -8,9 +8,11 @@
 #pragma once
 
 #include "slicecast/blueprint.h"
+#include "slicecast/cell_change.h"
 #include "slicecast/face.h"
 #include "slicecast/image.h"
 #include "slicecast/input.h"
+#include "slicecast/mark.h"
 #include "slicecast/option.h"
 #include "slicecast/picture.h"
 #include "slicecast/ray.h"
@@ -153,6 +155,10 @@ public:
     // what is wrong: no such cell or sign, or a block that moves, opens or leads elsewhere.
     std::string setCell(int map, int level, int x, int y, std::string_view sign);
 
+    // The same for many cells, one after another: all of them or, with a message, none. Takes the
+    // time of sorting them.
+    std::string setCells(int map, std::span<const CellChange> changes);
+
     // The blocks of a map's legend, in its order. Empty if there is no such map.
     std::vector<Blueprint> blueprints(int map) const;
 
@@ -177,6 +183,11 @@ public:
     // Where a point of the player's map (units) appears in a picture of this size, hidden or not.
     // Nothing for a point that is not in front of the eye, and if there is no such picture.
     std::optional<ScreenPoint> project(double x, double y, double z, int width, int height) const;
+
+    // Lays lines over the picture from now on, instead of those before; only those of the player's
+    // map are seen. Returns false and changes nothing for more than kMostMarks, a map that does not
+    // exist, or a coordinate that is NaN or beyond 32767.
+    bool mark(std::span<const Mark> lines);
 
     // What the player hears: first what sounded once since the last call, at most 32 sounds, then
     // what lasts now, one of each kind. Call it once for each picture, and make the

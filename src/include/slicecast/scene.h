@@ -64,8 +64,8 @@ using Progress = std::function<void(double share)>;
 
 // Reads a scene file (JSON) and the PNG files that it names; their paths are relative to its
 // folder. Opens regular files only, because a pipe could block forever. Limits: 128 MB for the
-// text, 64 MB for each image. Shipped pictures that the scene names without declaring them are those
-// of the sources from which the library was built; without these, the names are faults.
+// text, 64 MB for each image. Shipped pictures that the scene names without declaring them are
+// those of the sources from which the library was built; without these, the names are faults.
 LoadResult loadSceneFile(const std::filesystem::path& file, const Progress& progress = {});
 
 // The bytes of PNG files, by the names that the scene uses.

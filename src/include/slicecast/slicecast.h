@@ -25,14 +25,17 @@
 #pragma once
 
 #include "slicecast/blueprint.h"
+#include "slicecast/cell_change.h"
 #include "slicecast/colour.h"
 #include "slicecast/face.h"
 #include "slicecast/fault.h"
 #include "slicecast/game.h"
 #include "slicecast/image.h"
 #include "slicecast/input.h"
+#include "slicecast/mark.h"
 #include "slicecast/option.h"
 #include "slicecast/picture.h"
+#include "slicecast/place.h"
 #include "slicecast/ray.h"
 #include "slicecast/save_image.h"
 #include "slicecast/scene.h"
