@@ -14,7 +14,8 @@
 //     /-/scene/NAME.json     the scene, read again for each request; PUT saves it (scene-saves.mjs)
 //     /-/save                what the editor needs to save the scene
 //     /-/scene/...           pictures in the scene's folder; ../x in the scene is at /-/x. Links
-//                            are followed where they lead to a picture that could be served itself
+//                            are followed where they lead to a picture that could be served itself.
+//                            A shipped one that is not there is that of the page
 //     /-/events              an event stream: `scene` when the scene or a picture of it was saved
 
 import { spawn } from 'node:child_process';
@@ -27,12 +28,14 @@ import process from 'node:process';
 import { fileURLToPath } from 'node:url';
 import { parseArgs } from 'node:util';
 import sirv from 'sirv';
+import { isShippedFile } from '../web/engine/source-parts.js';
 import { SceneSaves, tagOf } from './scene-saves.mjs';
 
 const kFirstPort = 8080;
 const kPortsTried = 50;
 const kHosts = ['localhost', '127.0.0.1', '[::1]'];
 const kMethods = ['GET', 'HEAD'];
+const kNotBeside = 'There is no such file beside the scene.';
 const kSettleMilliseconds = 80; // an editor's save is several events: truncate, write, rename
 
 // The scene that somebody is working on: which files may be served, and when one of them changes.
@@ -191,12 +194,12 @@ function refuse(response, status, text, headers = {}) {
   response.end(`${text}\n`);
 }
 
-async function serveSceneFile(scene, urlPath, response) {
+// `otherwise` answers if the file is not there.
+async function serveSceneFile(scene, urlPath, response, otherwise) {
   const file = await scene.resolve(urlPath);
   if (file === scene.file) return serveScene(file, response);
   const found = file === null ? null : await stat(file).catch(() => null);
-  if (found === null || !found.isFile())
-    return refuse(response, 404, 'There is no such file beside the scene.');
+  if (found === null || !found.isFile()) return otherwise();
   response.writeHead(200, {
     'Content-Type': 'image/png',
     'Content-Length': found.size,
@@ -208,7 +211,7 @@ async function serveSceneFile(scene, urlPath, response) {
 // With the tag by which a save knows that nobody else has saved meanwhile.
 async function serveScene(file, response) {
   const bytes = await readFile(file).catch(() => null);
-  if (bytes === null) return refuse(response, 404, 'There is no such file beside the scene.');
+  if (bytes === null) return refuse(response, 404, kNotBeside);
   response.writeHead(200, {
     'Content-Type': 'application/json; charset=utf-8',
     'Content-Length': bytes.length,
@@ -335,6 +338,13 @@ export async function startServer({
         `Found the method ${request.method}, expected ${kMethods.join(' or ')}.`,
         { Allow: kMethods.join(', ') },
       );
+    const missing = () => refuse(response, 404, 'There is no such file.');
+    const servePage = (name) => {
+      request.url = `/${name.split('/').map(encodeURIComponent).join('/')}`;
+      // Every file is sent whole: sirv misreads ranges such as bytes=-5, and fails at bytes=9-1.
+      delete request.headers.range;
+      return page(request, response, missing);
+    };
     // The raw path: URL() would resolve ".." before it can be checked.
     const rawPath = request.url.split(/[?#]/, 1)[0];
     let urlPath;
@@ -347,20 +357,19 @@ export async function startServer({
       if (scene === null) return refuse(response, 404, 'No scene was given to tools/play.');
       if (urlPath === '/-/events') return serveEvents(scene, request, response);
       if (urlPath === '/-/save') return saves.tell(request, response);
-      return serveSceneFile(scene, urlPath.slice(3), response);
+      const beside = urlPath.slice('/-/'.length);
+      return serveSceneFile(scene, beside, response, async () => {
+        const name = isShippedFile(`../${beside}`) ? await pagePath(folder, beside) : null;
+        return name === null ? refuse(response, 404, kNotBeside) : servePage(name);
+      });
     }
-    const missing = () => refuse(response, 404, 'There is no such file.');
     let name = await pagePath(folder, urlPath);
     if (name === null && rest?.isBuilding) {
       if (/text\/html/.test(request.headers.accept ?? '')) return refuseYet(response);
       await rest.done;
       name = await pagePath(folder, urlPath);
     }
-    if (name === null) return missing();
-    request.url = `/${name.split('/').map(encodeURIComponent).join('/')}`;
-    // Every file is sent whole: sirv misreads ranges such as bytes=-5, and fails at bytes=9-1.
-    delete request.headers.range;
-    return page(request, response, missing);
+    return name === null ? missing() : servePage(name);
   }
   const server = createServer((request, response) => {
     // Closes the file if the client disconnects, and ends the answer if the file cannot be read.

@@ -53,6 +53,15 @@ std::string nearestFile(const std::filesystem::path& missing) {
     return suggestion(missing.filename().string(), {names.begin(), names.end()});
 }
 
+// Whether the name may be that of a shipped file, as shipped scenes name them.
+bool isShippedFile(std::string_view name) {
+    constexpr std::string_view kFolders[] = {"../textures/", "../see-through/", "../sheets/",
+                                             "../sprites/"};
+    return std::any_of(std::begin(kFolders), std::end(kFolders), [&](std::string_view folder) {
+        return name.starts_with(folder) && name.find('/', folder.size()) == std::string::npos;
+    });
+}
+
 }  // namespace
 
 std::filesystem::path shippedFolder() {
@@ -71,6 +80,11 @@ ReadImages readImages(const ParsedScene& scene, const std::filesystem::path& fol
         const std::filesystem::path path =
             isShipped ? shippedFolder() / name.substr(kShippedFile.size()) : folder / pathOf(name);
         ReadFile file = readWholeFile(path, kMaxImageBytes);
+        if (file.fault == kNoSuchFile && isShippedFile(name)) {
+            ReadFile shipped =
+                readWholeFile(shippedFolder() / "scenes" / pathOf(name), kMaxImageBytes);
+            if (shipped.fault.empty()) file = std::move(shipped);
+        }
         if (file.fault.empty()) {
             images.files.emplace(name, std::move(file.bytes));
         } else {

@@ -27,7 +27,8 @@ std::string readPictureTable();  // kNoPictures if it cannot be read
 
 // The images that a scene names, with paths relative to `folder`, by their names in the scene:
 // `files` holds the bytes of those that could be read, `unread` the reasons why others could not,
-// and perhaps a file of a similar name, in words to put behind a message.
+// and perhaps a file of a similar name, in words to put behind a message. A shipped picture, named
+// as shipped scenes name it, comes from its own folder if `folder` has none.
 struct ReadImages {
     struct Unread {
         std::string why;

@@ -158,6 +158,23 @@ TEST_F(SceneFile, MayNameShippedPictures) {
     EXPECT_EQ(loaded.world->sprites[0].frames.size(), 24u);
 }
 
+TEST_F(SceneFile, MayBeElsewhereThanTheShippedPicturesThatItNames) {
+    const auto load = [&](const std::string& file) {
+        std::ofstream(scene()) << R"({ "title": "Elsewhere", "textures": { "ground": "../)" + file +
+                                      R"(" },
+  "maps": [{ "name": "room", "floor": "ground", "levels": [["."]] }],
+  "start": { "x": 0.5, "y": 0.5 } })";
+        return readSceneFile(scene());
+    };
+    EXPECT_TRUE(load("textures/brick.png").world.has_value());
+    for (const char* missing : {"textures/brickk.png", "pictures/brick.png"}) {
+        const LoadedScene loaded = load(missing);
+        ASSERT_EQ(loaded.faults.size(), 1u);
+        EXPECT_EQ(loaded.faults[0].found,
+                  "\"../" + std::string(missing) + "\", which does not exist");
+    }
+}
+
 TEST_F(SceneFile, SuggestsShippedPictures) {
     std::ofstream(scene()) << R"({ "title": "Shipped", "maps": [{ "name": "room",
   "floor": "lavva", "levels": [["."]] }], "start": { "x": 0.5, "y": 0.5 } })";

@@ -567,6 +567,12 @@ test('a scene may name shipped pictures, wherever it is', async (t) => {
   };
   const wanted = await pictureOf(declared);
   assert.deepEqual(await pictureOf(scene, { base: tmpdir() }), wanted);
+  assert.deepEqual(await pictureOf(declared, { base: tmpdir() }), wanted);
+  await assert.rejects(
+    load({ ...declared, textures: { grass: '../textures/gras.png' } }, { base: tmpdir() }),
+    ({ faults: [{ found }] }) =>
+      found.includes(`${new URL('../textures/', pathToFileURL(`${tmpdir()}/`))}`),
+  );
   await assert.rejects(
     load({ ...scene, maps: [{ ...scene.maps[0], floor: 'gras' }] }),
     (error) => error instanceof SceneError && /did you mean "grass"/.test(error.message),

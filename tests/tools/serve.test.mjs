@@ -17,10 +17,12 @@ let root, server, origin;
 
 before(async () => {
   root = await mkdtemp(path.join(tmpdir(), 'slicecast-serve-'));
-  for (const folder of ['page/engine', 'mine/scenes', 'mine/textures'])
+  for (const folder of ['page/engine', 'page/textures', 'mine/scenes', 'mine/textures'])
     await mkdir(path.join(root, folder), { recursive: true });
   await writeFile(path.join(root, 'page/index.html'), '<title>page</title>');
   await writeFile(path.join(root, 'page/engine/x.wasm'), 'wasm');
+  for (const name of ['named.png', 'oak.png', 'oak.txt'])
+    await writeFile(path.join(root, 'page/textures', name), 'shipped');
   await writeFile(
     path.join(root, 'mine/scenes/my scene.json'),
     '{ "wall": "brick.png", "roof": "../textures/named.png", "door": ["away.png", "text.png", "near.png", "../textures/away.png"], "\\"sill.png": "..\\/textures\\/m\\u00fcr.png", "odd": "\\x.png" }',
@@ -87,6 +89,13 @@ test('the address names the scene, which is served with the pictures that it use
   assert.equal((await get('/-/scene/brick.png')).body, 'brick');
   assert.equal((await get('/-/textures/named.png')).body, 'named');
   assert.equal((await get('/-/textures/m%C3%BCr.png')).body, 'wall', 'named with escapes of JSON');
+});
+
+test('a shipped picture that is not beside the scene is that of the page', async () => {
+  const { body, type } = await get('/-/textures/oak.png');
+  assert.deepEqual([body, type], ['shipped', 'image/png']);
+  for (const missing of ['textures/oak.txt', 'textures/elm.png', 'engine/x.wasm', 'scene/oak.png'])
+    assert.equal((await get(`/-/${missing}`)).status, 404, missing);
 });
 
 test('nothing else beside or above the scene is served', async () => {

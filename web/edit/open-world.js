@@ -12,6 +12,7 @@
 
 import { fetchBytes } from '../engine/fetch-bytes.js';
 import { kHome } from '../engine/home.js';
+import { placesOf, readFirst } from '../engine/source-parts.js';
 import { pickedFile, servedFile } from './files/file-homes.js';
 import { templates } from './files/templates.js';
 import { textIn } from './files/text-form.js';
@@ -91,10 +92,9 @@ function hashOf(text) {
 }
 
 // Whatever the scene names, only the server of tools/play is asked.
-async function pictureBeside(file, scene) {
+function besideServed(file, scene) {
   const address = new URL(file, scene);
-  if (!address.href.startsWith(new URL('../', scene).href)) return null;
-  return fetchBytes(address).catch(() => null);
+  return address.href.startsWith(new URL('../', scene).href) ? address : null;
 }
 
 // Pictures of the world itself come first; then those beside its file, if tools/play serves them;
@@ -102,8 +102,7 @@ async function pictureBeside(file, scene) {
 export async function readPicture(own, file, { home } = {}) {
   const mine = own.get(file);
   if (mine !== undefined) return mine;
-  const beside = home?.at === undefined ? null : await pictureBeside(file, home.at);
-  if (beside !== null) return beside;
-  if (!/^\.\.\/(textures|see-through|sheets|sprites)\/[\w-]+\.png$/.test(file)) return null;
-  return fetchBytes(new URL(file, kScenes));
+  const beside = home?.at === undefined ? null : besideServed(file, home.at);
+  const places = placesOf(file, beside, kHome);
+  return places.length === 0 ? null : readFirst(places, fetchBytes);
 }

@@ -12,7 +12,15 @@ import { nearestName } from '../engine/nearest-name.js';
 import { bringRows } from './later-parts.js';
 import { fetchOnce, pictures } from './page-cache.js';
 import { readSceneObject } from '../engine/scene-object.js';
-import { filesBy, isFile, isShippedFile, nameOf, shippedAddress } from '../engine/source-parts.js';
+import {
+  filesBy,
+  isFile,
+  isShippedFile,
+  nameOf,
+  placesOf,
+  readFirst,
+  shippedAddress,
+} from '../engine/source-parts.js';
 import { Trouble, coded } from '../engine/trouble.js';
 
 const kScenes = new URL('scenes/', kHome); // inline scenes name files relative to this folder
@@ -263,8 +271,11 @@ function sceneOfPage(source) {
 }
 
 function filesAt(addressOfFile) {
-  const addressOf = (file) => shippedAddress(file, kHome) ?? addressOfFile(file);
-  return { addressOf, ...filesBy((file, onBytes) => fetchFile(addressOf(file), onBytes)) };
+  const places = (file) => placesOf(file, addressOfFile(file), kHome);
+  return {
+    addressOf: (file) => places(file)[0],
+    ...filesBy((file, onBytes) => readFirst(places(file), (place) => fetchFile(place, onBytes))),
+  };
 }
 
 // If the server sends a web page instead of a shipped file, the package's folders are missing where

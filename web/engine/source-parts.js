@@ -7,7 +7,8 @@
 //     pictures           optional: get(bytes) returns the pixels of a file that another engine has
 //                        decoded, keep(bytes, pixels) is told of those that this one has decoded
 //
-//     const read = (file, onBytes) => fetchBytes(new URL(file, address), onBytes);
+//     const read = (file, onBytes) =>
+//       readFirst(placesOf(file, new URL(file, address), home), (at) => fetchBytes(at, onBytes));
 //     const source = { name: nameOf(address), readText, ...filesBy(read) };
 //     faults.map((fault) => withReason(fault, source.failures));
 
@@ -36,9 +37,9 @@ export function picturesIn(bytes) {
   return [...new Set(files)].filter((file) => /^(?!.*\/\/)[\w.][\w./-]*\.(png|PNG)$/.test(file));
 }
 
-// Whether a file that a scene of rows names is one of the shipped ones; others are the author's.
+// Whether a name may be that of a shipped file, as shipped scenes name them.
 export function isShippedFile(file) {
-  return /^\.\.\/(textures|see-through|sheets|sprites)\//.test(file);
+  return /^\.\.\/(textures|see-through|sheets|sprites)\/[\w-]+\.png$/.test(file);
 }
 
 // The table of the shipped pictures (src/scene/scene.h), and how names of shipped files begin,
@@ -49,6 +50,26 @@ export const kShippedTable = 'slicecast:pictures.json';
 export function shippedAddress(file, home) {
   const [, path] = /^slicecast:(.*)/.exec(file) ?? [];
   return path && new URL(path, home);
+}
+
+// Where a file that a scene names may be, in turn: beside the scene, unless that is null; then, if
+// it may be a shipped one, in the package's folder.
+export function placesOf(file, beside, home) {
+  const named = shippedAddress(file, home);
+  if (named) return [named];
+  const places = [beside, isShippedFile(file) ? new URL(`scenes/${file}`, home) : null];
+  return places.filter((place, at) => place !== null && place.href !== places[at - 1]?.href);
+}
+
+// The first of them that can be read; else the reason is that of the first.
+export function readFirst([place, ...others], read) {
+  return others.length === 0
+    ? read(place)
+    : read(place).catch((error) =>
+        readFirst(others, read).catch(() => {
+          throw error;
+        }),
+      );
 }
 
 // readFile returns null for a file that cannot be read, and does not try it again. The engine

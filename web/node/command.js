@@ -21,7 +21,7 @@ import { textIn } from '../edit/files/text-form.js';
 import { knowShipped } from '../edit/files/shipped.js';
 import { Engine } from '../engine/engine.js';
 import { kMostFileBytes, tooLong } from '../engine/limits.js';
-import { isShippedFile, shippedAddress } from '../engine/source-parts.js';
+import { isShippedFile, placesOf, readFirst } from '../engine/source-parts.js';
 import { ImportError, makeScene, readForeign } from '../edit/import/index.js';
 import { readEngine } from './engine-files.js';
 import { load, SceneError } from './index.js';
@@ -159,13 +159,11 @@ async function makeHtml(words) {
     throw new UsageError('the HTML file would replace the scene');
   const folder = path.dirname(path.resolve(words.file));
   const { text } = textIn(await bytesOf(words.file));
-  const readPicture = async (file) => {
-    const beside = await bytesOf(path.join(folder, file)).catch(() => null);
-    const shipped = shippedAddress(file, pathToFileURL(`${kPackage}/`));
-    if (shipped) return bytesOf(fileURLToPath(shipped)).catch(() => null);
-    if (beside !== null || !isShippedFile(file)) return beside;
-    return bytesOf(path.join(kPackage, 'scenes', file)).catch(() => null);
-  };
+  const home = pathToFileURL(kPackage);
+  const readPicture = (file) =>
+    readFirst(placesOf(file, pathToFileURL(path.join(folder, file)), home), (place) =>
+      bytesOf(fileURLToPath(place)),
+    ).catch(() => null);
   const engine = await Engine.create({ files: await readEngine('auto') });
   const source = { name: words.file, readText: () => new TextEncoder().encode(text) };
   const faults = await engine.loadScene({ ...source, readFile: readPicture });

@@ -16,7 +16,14 @@ import { kMostFileBytes, kMostSceneBytes, tooLong } from '../engine/limits.js';
 import { coded } from '../engine/trouble.js';
 import { sceneOfObject } from '../engine/rows.js';
 import { readSceneObject } from '../engine/scene-object.js';
-import { filesBy, isFile, isShippedFile, nameOf, shippedAddress } from '../engine/source-parts.js';
+import {
+  filesBy,
+  isFile,
+  isShippedFile,
+  nameOf,
+  placesOf,
+  readFirst,
+} from '../engine/source-parts.js';
 
 // Bundled as a classic script, this has no address. Then shipped files are not found, and reading
 // them fails.
@@ -38,10 +45,9 @@ export function openScene(scene, base) {
       name: isRows ? 'rows' : 'scene',
       readText: async () => new TextEncoder().encode(whole),
       ...filesBy((file) =>
-        bytesAt(
-          shippedAddress(file, kPackage) ??
-            pictureOf(file) ??
-            new URL(file, isRows && isShippedFile(file) ? kShipped : own),
+        bytesOf(
+          file,
+          pictureOf(file) ?? new URL(file, isRows && isShippedFile(file) ? kShipped : own),
         ),
       ),
     };
@@ -58,7 +64,7 @@ export function openScene(scene, base) {
       if (isFile(from)) beside = from;
       return bytes;
     },
-    ...filesBy((file) => bytesAt(shippedAddress(file, kPackage) ?? new URL(file, beside))),
+    ...filesBy((file) => bytesOf(file, new URL(file, beside))),
   };
 }
 
@@ -81,6 +87,10 @@ export async function readAt(address, most = kMostFileBytes) {
     );
     throw coded('fetch', `${isFile(address) ? address.href : nameOf(address)}: ${reason}`);
   }
+}
+
+function bytesOf(file, beside) {
+  return readFirst(placesOf(file, beside, kPackage), bytesAt);
 }
 
 async function bytesAt(address) {
