@@ -3,8 +3,11 @@
 //
 //     const saves = new SceneSaves(scene, { hosts, lan });
 //     await saves.tell(request, response);       // GET /-/save: what the page needs for saving
-//     await saves.take(request, response);       // PUT /-/scene/NAME.json
+//     await saves.take(request, response);       // PUT /-/scene/NAME.json: {saved, tag}
 //     tagOf(bytes)                               // the file's ETag: equal for equal bytes only
+//
+// `saved` is false if the file has changed since it was read: no error, as a browser would tell it in
+// its console. `tag` is that of the file as it is then.
 //
 // A page of another origin cannot read the token: that answer allows no other origin, and it is
 // given only under a name of this machine. With --lan nobody can save, since others have the page.
@@ -81,8 +84,8 @@ export class SceneSaves {
       checkScene(bytes);
       const save = this.#last.then(() => this.#write(bytes, wanted));
       this.#last = save.catch(() => {});
-      await save;
-      send(response, 204, '', { ETag: tagOf(bytes) });
+      const answer = JSON.stringify(await save);
+      send(response, 200, answer, { 'Content-Type': 'application/json' });
     } catch (error) {
       if (!(error instanceof Refusal)) throw error;
       // What was not read of the request would be taken for the next one.
@@ -145,9 +148,12 @@ export class SceneSaves {
       await chmod(other, mode & 0o7777);
       // As late as possible: another program may save meanwhile.
       const tag = tagOf(await readFile(file));
-      if (tag !== wanted)
-        throw new Refusal(412, `${this.#scene.name} has changed since it was read.`, { ETag: tag });
+      if (tag !== wanted) {
+        await rm(other);
+        return { saved: false, tag };
+      }
       await rename(other, file);
+      return { saved: true, tag: tagOf(bytes) };
     } catch (error) {
       await rm(other, { force: true });
       throw error instanceof Refusal

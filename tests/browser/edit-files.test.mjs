@@ -93,11 +93,15 @@ async function served(t, { text, pictures = {}, viewport } = {}) {
   const context = await browser.newContext({ viewport: viewport ?? { width: 1366, height: 768 } });
   const page = await context.newPage();
   page.setDefaultTimeout(kWait);
+  const complaints = [];
+  page.on('console', (said) => said.type() === 'error' && complaints.push(said.text()));
   t.after(async () => {
     await context.close();
     server.close();
+    assert.deepEqual(complaints, [], 'the console of the browser stays empty');
   });
-  return { page, context, server, file };
+  const edit = `${server.address.split('?')[0]}edit.html?scene=-/scene/my%20yard.json`;
+  return { page, context, server, file, edit };
 }
 
 const kWindows = `\uFEFF${JSON.stringify(smallScene('Yard', './'), null, 2).replaceAll('\n', '\r\n')}\r\n\r\n`;
@@ -144,6 +148,24 @@ test('from tools/play one edits the very file: only what was changed differs in 
   await page.click('#save');
   await page.waitForFunction(() => !document.title.startsWith('● '));
   assert.equal(await readFile(file, 'utf8'), after.replace('Yard', 'Another'));
+});
+
+test('a scene elsewhere shows shipped pictures, to play and to edit, without one try in vain', async (t) => {
+  const { page, server, edit } = await served(t, { text: JSON.stringify(smallScene()) });
+  await page.goto(server.address);
+  await page.waitForFunction(() => document.body.dataset.state === 'paused');
+  await page.goto(edit);
+  await isReady(page);
+  await page.waitForFunction(() => window.slicecastEditor?.caster.state === 'paused');
+  assert.equal(await told(page, () => window.slicecastEditor.caster.error), null);
+  await page.click('[data-tool=thing]');
+  await page.click('#palette .add');
+  await page.waitForSelector('#adding canvas');
+  await page.waitForFunction(() =>
+    [...document.querySelectorAll('#palette canvas, #adding canvas')].every((canvas) =>
+      canvas.getContext('2d').getImageData(0, 0, canvas.width, canvas.height).data.some(Boolean),
+    ),
+  );
 });
 
 test('a file that has changed on the disk: both texts, and a choice', async (t) => {

@@ -76,21 +76,23 @@ async function started(t, { name = 'my scene.json', isLink = false, ...options }
   return { root, file, real, server, host, port, ask, about, read, save, address };
 }
 
+const isSaved = ({ body }) => JSON.parse(body).saved;
+
 test('a save replaces the text, keeps permissions, and leaves nothing else behind', async (t) => {
   const { file, save, read, root } = await started(t);
   await chmod(file, 0o640);
   const text = '\uFEFF{ "maps": [1] }\r\n\r\n';
   const answer = await save(text);
-  assert.equal(answer.status, 204);
+  assert.equal(answer.status, 200);
+  assert.deepEqual(JSON.parse(answer.body), { saved: true, tag: (await read()).headers.etag });
   assert.equal(await readFile(file, 'utf8'), text);
-  assert.equal(answer.headers.etag, (await read()).headers.etag);
   assert.equal((await stat(file)).mode & 0o777, 0o640);
   assert.deepEqual(await readdir(path.join(root, 'mine')), ['my scene.json']);
 });
 
 test('a link to the scene stays a link', async (t) => {
   const { file, real, save } = await started(t, { isLink: true });
-  assert.equal((await save('{ "maps": [2] }')).status, 204);
+  assert.ok(isSaved(await save('{ "maps": [2] }')));
   assert.ok((await lstat(file)).isSymbolicLink());
   assert.equal(await readFile(real, 'utf8'), '{ "maps": [2] }');
 });
@@ -100,12 +102,12 @@ test('what somebody else has saved meanwhile is not overwritten', async (t) => {
   const { etag } = (await read()).headers;
   await writeFile(file, '{ "maps": ["theirs"] }');
   const answer = await save('{ "maps": ["mine"] }', { 'If-Match': etag });
-  assert.equal(answer.status, 412);
-  assert.equal(answer.headers.etag, (await read()).headers.etag);
+  assert.equal(answer.status, 200);
+  assert.deepEqual(JSON.parse(answer.body), { saved: false, tag: (await read()).headers.etag });
   assert.equal(await readFile(file, 'utf8'), '{ "maps": ["theirs"] }');
   assert.deepEqual(await readdir(path.join(root, 'mine')), ['my scene.json']);
   assert.equal((await save('{}', { 'If-Match': null })).status, 428);
-  assert.equal((await save('{}', { 'If-Match': '*' })).status, 412);
+  assert.ok(!isSaved(await save('{}', { 'If-Match': '*' })));
 });
 
 test('of saves at the same moment one is made, the others are told that it has changed', async (t) => {
@@ -113,9 +115,9 @@ test('of saves at the same moment one is made, the others are told that it has c
   const tag = (await read()).headers.etag;
   const texts = Array.from({ length: 20 }, (_, at) => `{ "maps": [${at}] }`);
   const answers = await Promise.all(texts.map((text) => save(text, { 'If-Match': tag })));
-  const made = texts.filter((_, at) => answers[at].status === 204);
+  const made = texts.filter((_, at) => isSaved(answers[at]));
   assert.equal(made.length, 1);
-  assert.equal(answers.filter(({ status }) => status === 412).length, 19);
+  assert.ok(answers.every(({ status }) => status === 200));
   assert.equal(await readFile(file, 'utf8'), made[0]);
 });
 

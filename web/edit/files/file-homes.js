@@ -46,9 +46,10 @@ export async function servedFile(address) {
       }).catch(() => {
         throw new Error('tools/play does not answer. Start it again; your changes are kept here.');
       });
-      if (answer.status === 412) throw new Changed();
       if (!answer.ok) throw new Error((await answer.text()).trim());
-      return answer.headers.get('ETag');
+      const { saved, tag: now } = await answer.json();
+      if (!saved) throw new Changed();
+      return now;
     },
   };
 }
