@@ -6,8 +6,8 @@
 //     await saves.take(request, response);       // PUT /-/scene/NAME.json: {saved, tag}
 //     tagOf(bytes)                               // the file's ETag: equal for equal bytes only
 //
-// `saved` is false if the file has changed since it was read: no error, as a browser would tell it in
-// its console. `tag` is that of the file as it is then.
+// `saved` is false if the file has changed since it was read: that is no error, which a browser
+// would tell in its console. `tag` is that of the file as it is then.
 //
 // A page of another origin cannot read the token: that answer allows no other origin, and it is
 // given only under a name of this machine. With --lan nobody can save, since others have the page.

@@ -169,8 +169,7 @@ test('a scene elsewhere shows shipped pictures, to play and to edit, without one
 });
 
 test('a file that has changed on the disk: both texts, and a choice', async (t) => {
-  const { page, server, file } = await servedYard(t);
-  const edit = `${server.address.split('?')[0]}edit.html?scene=-/scene/my%20yard.json`;
+  const { page, edit, file } = await servedYard(t);
   await page.goto(edit);
   await isReady(page);
   const theirs = kYard.replace('Yard', '<img src=x onerror=alert(1)>');
@@ -216,13 +215,12 @@ test('a file that has changed on the disk: both texts, and a choice', async (t) 
 });
 
 test('unsaved changes are there again, and leaving asks only while there are some', async (t) => {
-  const { page, server, file } = await servedYard(t);
+  const { page, edit, file } = await servedYard(t);
   const asked = [];
   page.on('dialog', (dialog) => {
     asked.push(dialog.type());
     dialog.accept();
   });
-  const edit = `${server.address.split('?')[0]}edit.html?scene=-/scene/my%20yard.json`;
   await page.goto(edit);
   await isReady(page);
   await page.mouse.click(5, 700); // browsers ask nobody who has done nothing
@@ -240,20 +238,34 @@ test('unsaved changes are there again, and leaving asks only while there are som
   await page.goto('about:blank');
   await writeFile(file, kYard.replace('Yard', 'Theirs'));
   await page.goto(edit);
-  await page.waitForSelector('#conflict[open]');
+  await page.click('#outside button');
+  assert.equal(await page.isVisible('[data-conflict=both]'), false, 'both have renamed it');
   await page.click('[data-conflict=theirs]');
   await page.waitForFunction(() => document.title.startsWith('Theirs'));
 });
 
-test('what others save is taken when one comes back without changes', async (t) => {
-  const { page, server, file } = await servedYard(t);
-  await page.goto(`${server.address.split('?')[0]}edit.html?scene=-/scene/my%20yard.json`);
+test('what others save is seen at once; changes of both become one text', async (t) => {
+  const { page, edit, file } = await servedYard(t);
+  await page.goto(edit);
   await isReady(page);
   await writeFile(file, kYard.replace('Yard', 'Theirs'));
-  await told(page, () => dispatchEvent(new Event('focus')));
   await page.waitForFunction(() => document.title.startsWith('Theirs'));
-  await settle(page);
-  assert.equal(await page.locator('#conflict[open]').count(), 0);
+  await saysToast(page, 'This is my yard.json as it was changed outside');
+  await told(page, () => {
+    const { history } = window.slicecastEditor;
+    history.do('Place', [{ map: 0, cells: [{ layer: 0, x: 3, y: 3, sign: 'b' }] }]);
+  });
+  await writeFile(file, kYard.replace('Yard', 'Gate'));
+  await page.waitForSelector('#outside:not([hidden])');
+  assert.equal(await page.locator('#conflict[open]').count(), 0, 'nobody is interrupted');
+  await page.click('#outside button');
+  await page.click('[data-conflict=both]');
+  assert.equal(await page.isVisible('#outside'), false);
+  assert.match(await page.title(), /^● Gate/);
+  await page.keyboard.press('Control+s');
+  await saysToast(page, 'Saved my yard.json');
+  const after = await readFile(file, 'utf8');
+  assert.equal([...after].filter((letter, at) => letter !== kYard[at]).length, 4);
 });
 
 test('a scene that tools/play does not serve is refused in words', async (t) => {
@@ -301,8 +313,14 @@ test('a file that was opened is saved to, and not if it has changed outside', as
   await isReady(page);
   assert.equal(await page.title(), 'Changed · Build a world');
 
-  await rename(page, 'Again');
   await told(page, (content) => window.fileWrite('mine.json', content), text);
+  await page.waitForFunction(() => document.title.startsWith('Mine'));
+  await rename(page, 'Again');
+  await told(
+    page,
+    (content) => window.fileWrite('mine.json', content),
+    text.replace('"Mine"', '"Theirs"'),
+  );
   await page.keyboard.press('Control+s');
   await page.click('[data-conflict=mine]');
   await saysToast(page, 'Saved mine.json');

@@ -22,6 +22,7 @@ const {
   frameFor,
   History,
   htmlFile,
+  merged,
   openFiles,
   picturesOf,
   pictureSizeOf,
@@ -81,6 +82,20 @@ test('differences of lines are found, and nothing else', () => {
       made.splice(place.one.from - 1, place.one.lines.length, ...place.other.lines);
     assert.equal(made.join('\n'), other.join('\n'));
   }
+});
+
+test('changes of both sides make one text, unless they meet', () => {
+  const base = 'a\nb\nc\nd\ne';
+  assert.equal(merged(base, 'A\nb\nc\nd\ne', 'a\nb\nc\nx\ny\ne'), 'A\nb\nc\nx\ny\ne');
+  assert.equal(merged(base, 'a\nc\nd\ne', 'a\nb\nc\nd\ne\nf'), 'a\nc\nd\ne\nf');
+  assert.equal(merged(base, 'A\nb\nc\nd\nE', 'A\nb\nC\nd\ne'), 'A\nb\nC\nd\nE');
+  for (const [mine, theirs] of [
+    ['A\nb\nc\nd\ne', 'x\nb\nc\nd\ne'],
+    ['A\nb\nc\nd\ne', 'a\nB\nc\nd\ne'],
+    ['a\nb\nm\nc\nd\ne', 'a\nb\nt\nc\nd\ne'],
+    ['a\nc\nd\ne', 'a\nb\nt\nc\nd\ne'],
+  ])
+    assert.equal(merged(base, mine, theirs), null, `${mine} ${theirs}`);
 });
 
 // ---- Saving
@@ -165,18 +180,38 @@ test('a file that has what is here needs no choice', async () => {
   assert.equal(saving.isUnsaved, false);
 });
 
-test('without changes here, what others saved is taken; with changes it is asked once', async () => {
-  const { home, saving, rename, scene, asked } = await savingTo(kText, () => null);
-  home.bytes = utf8(kText.replace('One', 'Theirs'));
-  await saving.settle();
+test('what others saved is taken without changes here; with changes one is asked if one wants', async () => {
+  const choices = [null, 'both'];
+  const { home, saving, rename, scene, history, asked } = await savingTo(
+    '{\n  "title": "One",\n  "maps": [],\n  "start": {}\n}',
+    () => choices.shift(),
+  );
+  home.bytes = utf8(home.text.replace('One', 'Theirs'));
+  assert.equal(await saving.settle(), 'taken');
   assert.equal(scene.value.title, 'Theirs');
   assert.equal(saving.isUnsaved, false);
   rename('Mine');
-  home.bytes = utf8(kText.replace('One', 'Again'));
+  home.bytes = utf8(home.text.replace('{}', '{ "x": 1 }'));
   await saving.settle();
+  assert.deepEqual([asked.length, saving.isOvertaken, scene.value.title], [0, true, 'Mine']);
+  await saving.decide();
+  assert.deepEqual([saving.isOvertaken, scene.value.title], [true, 'Mine']);
+  await saving.decide();
+  assert.equal(saving.isOvertaken, false);
+  assert.deepEqual(scene.value, { title: 'Mine', maps: [], start: { x: 1 } });
+  assert.equal(await saving.save(), 'saved');
+  assert.match(home.text, /Mine[^]*"x": 1/);
+  history.undo();
+  assert.deepEqual(scene.value.start, {}, 'nothing is lost');
+});
+
+test('both are not offered where they are no scene together', async () => {
+  const { home, saving, rename, asked } = await savingTo(kText, () => null);
+  rename('Mine');
+  home.bytes = utf8(kText.replace('"maps": []', '"maps": ['));
   await saving.settle();
-  assert.equal(asked.length, 1);
-  assert.equal(scene.value.title, 'Mine');
+  await saving.decide();
+  assert.equal(asked[0].both, null);
 });
 
 test('a text with a mistake is not saved', async () => {
@@ -210,6 +245,8 @@ test('on return there is what is newest, and a change of both sides is known', (
     savedText: null,
     tag: 'then',
   });
+  const { base, ...mine } = kept('mine', 'then', false);
+  assert.equal(begin({ ...mine, base: { ...base, savedText: 'old' } }).savedText, 'old');
   assert.equal(beginningOf({ text: 'new' }, kept('mine')).text, 'mine', 'without a file');
 });
 

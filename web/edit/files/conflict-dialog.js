@@ -1,8 +1,8 @@
 // The dialog for a file that has changed outside since it was read: both texts, the places that
-// differ, and what to do. Takes texts; gives 'mine', 'theirs' or null.
+// differ, and what to do. Takes texts; gives 'mine', 'theirs', 'both' or null.
 //
 //     const choose = conflictDialog(dialog, (text) => ...);    // the function saves a copy
-//     await choose({ name: 'my.json', mine, theirs })
+//     await choose({ name: 'my.json', mine, theirs, both })    // no 'both' if that is null
 
 import { differencesOf } from './line-differences.js';
 
@@ -18,16 +18,21 @@ export function conflictDialog(dialog, saveCopy) {
     const told = await saveCopy(mine);
     if (told !== null) find('told').textContent = told;
   });
-  for (const choice of ['mine', 'theirs'])
+  for (const choice of ['both', 'theirs', 'mine'])
     find(choice).addEventListener('click', () => dialog.close(choice));
 
   return (texts) => {
     ({ mine } = texts);
-    const { name, theirs } = texts;
+    const { name, theirs, both } = texts;
     const places = differencesOf(theirs, mine);
     find('about').textContent =
       `${name} has changed outside this page since it was read. ` +
       `It differs from what you have here in ${counted(places.length)}.`;
+    find('both').hidden = both === null;
+    find('fits').textContent =
+      both === null
+        ? 'Both have changed the same lines, so one of them must give way.'
+        : 'Take both: the changes of the file and yours, which are in different lines.';
     find('told').textContent = '';
     find('places').replaceChildren(
       ...places

@@ -8,6 +8,7 @@
 //     await home.read()                                     // {bytes, tag}
 //     await home.write(bytes, tag)                          // the new tag; throws a Changed
 //     await home.ifReadable()                               // the same as read(), or null
+//     home.watch(() => ...)                                 // somebody may have written it
 //
 // `tag` is that of the bytes that were read: if the file has others by now, it stays as it is.
 
@@ -15,6 +16,9 @@ export class Changed extends Error {}
 
 // What the server answers beside a scene (tools/scene-saves.mjs).
 const kSave = '-/save';
+const kEvents = '-/events';
+
+const kLooks = 3000; // milliseconds: how often a file is looked at
 
 export async function servedFile(address) {
   const about = await fetch(new URL(kSave, document.baseURI), { cache: 'no-store' })
@@ -37,6 +41,9 @@ export async function servedFile(address) {
     at,
     read,
     ifReadable: read,
+    watch(listener) {
+      new EventSource(new URL(kEvents, document.baseURI)).addEventListener('scene', listener);
+    },
     async write(bytes, tag) {
       if (about.token === null) throw new Error(about.reason);
       const answer = await fetch(at, {
@@ -69,6 +76,17 @@ export function pickedFile(handle) {
     handle,
     read,
     ifReadable: async () => ((await may('read', false)) ? read().catch(() => null) : null),
+    watch(listener) {
+      let last = null;
+      const look = async () => {
+        if (document.hidden || !(await may('read', false))) return;
+        const time = (await handle.getFile().catch(() => null))?.lastModified ?? last;
+        if (time !== last && last !== null) listener();
+        last = time;
+      };
+      look();
+      setInterval(look, kLooks);
+    },
     // The browser writes another file and exchanges them at the end.
     async write(bytes, tag) {
       if (!(await may('readwrite', true)))

@@ -1,6 +1,8 @@
-// Where two texts differ, line by line. Takes texts; gives places.
+// Where two texts differ, line by line, and what two changes of one text are together. Takes texts;
+// gives places, and a text.
 //
 //     differencesOf(one, other)       // [{one: {from, lines}, other: {from, lines}}, ...]
+//     merged(base, mine, theirs)      // null if both have changed the same lines, or neighbours
 //
 // `from` counts lines from 1. If the texts differ in more than a comparison can hold, the part in
 // between counts as one place.
@@ -31,6 +33,25 @@ export function differencesOf(one, other) {
     [i, j] = [nextI + 1, nextJ + 1];
   }
   return found;
+}
+
+export function merged(base, mine, theirs) {
+  const begin = ({ one }) => one.from;
+  const end = ({ one }) => one.from + one.lines.length;
+  const all = [...differencesOf(base, mine), ...differencesOf(base, theirs)]
+    .sort((a, b) => begin(a) - begin(b) || end(a) - end(b))
+    .filter((place, at, list) => at === 0 || !isSame(place, list[at - 1]));
+  if (all.some((place, at) => at > 0 && begin(place) <= end(all[at - 1]))) return null;
+  const lines = base.split('\n');
+  for (const place of all.reverse())
+    lines.splice(begin(place) - 1, place.one.lines.length, ...place.other.lines);
+  return lines.join('\n');
+}
+
+// What both have done.
+function isSame(place, { one, other }) {
+  const said = [place.one, place.other.lines];
+  return JSON.stringify(said) === JSON.stringify([one, other.lines]);
 }
 
 // The longest row of lines that both have, as pairs of places.

@@ -25,6 +25,8 @@ export class SaveBar {
   #tell;
   #isLeaving = false;
   #button = document.getElementById('save');
+  #outside = document.getElementById('outside');
+  #watched = null;
 
   constructor({ scene, saving, world, ownPictures, tell }) {
     this.#scene = scene;
@@ -36,6 +38,9 @@ export class SaveBar {
     addEventListener('beforeunload', (event) => {
       if (saving.isUnsaved && !this.#isLeaving) event.preventDefault();
     });
+    this.#outside
+      .querySelector('button')
+      .addEventListener('click', () => this.#try(() => saving.decide()));
     addEventListener('focus', () => this.settle());
     saving.listen(() => this.#show());
     this.#show();
@@ -73,7 +78,7 @@ export class SaveBar {
   // Others may have saved the file. Not while the visitor is asked something else.
   async settle() {
     if (document.querySelector('dialog[open]') !== null) return;
-    await this.#saving.settle().catch(() => {}); // a save will tell
+    this.#tellTaken(await this.#saving.settle().catch(() => 'kept')); // a save will tell
   }
 
   saveCopy(text) {
@@ -98,18 +103,27 @@ export class SaveBar {
             ? `Saved ${name}`
             : `Saved ${name}. Put ${pictures.join(', ')} beside it: the zip has them.`,
         );
-      if (how === 'taken') this.#tell(`The text is that of ${name} now`);
+      this.#tellTaken(how);
     } catch (error) {
       this.#tell(error.message);
     }
   }
 
+  #tellTaken(how) {
+    if (how === 'taken') this.#tell(`This is ${this.#saving.home.name} as it was changed outside`);
+  }
+
   #show() {
-    const { home, isUnsaved } = this.#saving;
+    const { home, isUnsaved, isOvertaken } = this.#saving;
     const title = this.#scene.value.title || 'A world without a name';
     document.title = `${isUnsaved ? '● ' : ''}${title} · Build a world`;
     this.#button.hidden = home === null;
+    this.#outside.hidden = !isOvertaken;
     if (home === null) return;
+    if (home !== this.#watched) home.watch(() => this.settle());
+    this.#watched = home;
+    this.#outside.querySelector('p').textContent =
+      `Others have changed ${home.name}, and so have you.`;
     this.#button.title = `Save ${home.name} (Ctrl+S)`;
     this.#button.toggleAttribute('data-unsaved', isUnsaved);
   }

@@ -7,13 +7,16 @@
 //     saving.isUnsaved             // false without a file
 //     saving.listen(() => ...)     // that, or the file, may be another now
 //     saving.base                  // what is kept with the text in the browser
-//     await saving.settle()        // takes what others have saved; asks if there are changes here
+//     await saving.settle()        // takes what others have saved, if nothing is unsaved: 'taken'
+//     saving.isOvertaken           // others have saved, and there are changes here
+//     await saving.decide()        // asks what to do then: 'taken', 'kept'
 //     beginningOf(world, kept)     // {text, savedText, tag}: of the file, or as it was kept here
 //
-// `choose({name, mine, theirs})` asks what to do with a file that has changed outside: 'mine',
-// 'theirs' or null.
+// `choose({name, mine, theirs, both})` asks what to do with a file that has changed outside; it
+// gives 'mine', 'theirs', 'both' or null. `both` is the text with the changes of both, or null.
 
 import { Changed } from './file-homes.js';
+import { merged } from './line-differences.js';
 import { bytesIn, kPlainForm, textIn } from './text-form.js';
 
 const kDelay = 100; // milliseconds: comparing long texts is no part of a stroke
@@ -21,11 +24,11 @@ const kDelay = 100; // milliseconds: comparing long texts is no part of a stroke
 // `world` is that of open-world.js, `kept` what the browser has of it, or null.
 export function beginningOf({ text, tag, home, isRead }, kept) {
   if (kept === null) return { text, savedText: text, tag };
-  const { isSaved = false, tag: keptTag = null } = kept.base ?? {};
+  const { isSaved = false, tag: keptTag = null, savedText = null } = kept.base ?? {};
   if (!home) return { text: kept.text, savedText: null, tag: null };
-  if (!isRead) return { text: kept.text, savedText: isSaved ? kept.text : null, tag: keptTag };
+  if (!isRead) return { text: kept.text, savedText: isSaved ? kept.text : savedText, tag: keptTag };
   if (isSaved || kept.text === text) return { text, savedText: text, tag };
-  return { text: kept.text, savedText: keptTag === tag ? text : null, tag: keptTag };
+  return { text: kept.text, savedText: keptTag === tag ? text : savedText, tag: keptTag };
 }
 
 export class Saving {
@@ -35,8 +38,8 @@ export class Saving {
   #home;
   #form;
   #tag;
-  #saved; // the text that the file has
-  #left = null; // the tag of what the visitor did not want to hear of again
+  #saved; // the text that the file has, as far as it was read
+  #isOvertaken = false;
   #isSaving = false; // or asking
   #timer = 0;
   #listeners = [];
@@ -72,17 +75,36 @@ export class Saving {
     return bytesIn(this.#scene.text, this.#form);
   }
 
+  get isOvertaken() {
+    return this.#isOvertaken;
+  }
+
   get base() {
     const isSaved = this.#home !== null && !this.isUnsaved; // a world without a file is only here
     const handle = this.#home?.handle;
-    return { form: this.#form, tag: this.#tag, isSaved, ...(handle && { handle }) };
+    return {
+      ...{ form: this.#form, tag: this.#tag, isSaved },
+      ...(!isSaved && { savedText: this.#saved }),
+      ...(handle && { handle }),
+    };
   }
 
-  async save() {
+  save() {
+    return this.#alone(() => this.#save());
+  }
+
+  decide() {
+    return this.#alone(async () => {
+      const theirs = await this.#home.read();
+      return (await this.#ask(theirs)) === 'theirs' ? 'taken' : 'kept';
+    });
+  }
+
+  async #alone(work) {
     if (this.#isSaving) return 'kept';
     this.#isSaving = true;
     try {
-      return await this.#save();
+      return await work();
     } finally {
       this.#isSaving = false;
       this.#tell();
@@ -105,17 +127,16 @@ export class Saving {
   }
 
   async settle() {
-    if (this.#isSaving) return;
+    if (this.#isSaving) return 'kept';
     const theirs = (await this.#home?.ifReadable()) ?? null;
-    if (this.#isSaving || theirs === null) return;
-    if (theirs.tag === this.#tag || theirs.tag === this.#left) return;
+    if (this.#isSaving || theirs === null) return 'kept';
     const { text } = textIn(theirs.bytes);
-    if (this.isUnsaved && text !== this.#scene.text) {
-      this.#isSaving = true;
-      this.#left = theirs.tag;
-      await this.#ask(theirs).finally(() => (this.#isSaving = false));
-    } else this.#take(theirs, text);
+    const isOther = theirs.tag !== this.#tag;
+    this.#isOvertaken = isOther && this.isUnsaved && text !== this.#scene.text;
+    const isTaken = isOther && !this.#isOvertaken;
+    if (isTaken) this.#take(theirs, text);
     this.#tell();
+    return isTaken ? 'taken' : 'kept';
   }
 
   async #save() {
@@ -126,6 +147,7 @@ export class Saving {
       try {
         this.#tag = await this.#home.write(bytesIn(text, this.#form), this.#tag);
         this.#saved = text;
+        this.#isOvertaken = false;
         return 'saved';
       } catch (error) {
         if (!(error instanceof Changed)) throw error;
@@ -136,32 +158,43 @@ export class Saving {
         return 'saved';
       }
       const choice = await this.#ask(theirs);
-      if (choice !== 'mine') return choice === 'theirs' ? 'taken' : 'kept';
+      if (choice === null) this.#isOvertaken = true;
+      if (choice === null || choice === 'theirs') return choice === null ? 'kept' : 'taken';
     }
   }
 
   async #ask(theirs) {
     const { text } = textIn(theirs.bytes);
-    const choice = await this.#choose({
-      name: this.#home.name,
-      mine: this.#scene.text,
-      theirs: text,
-    });
-    if (choice === null) return null;
-    if (choice === 'theirs') this.#take(theirs, text);
-    if (choice === 'mine') this.#tag = theirs.tag; // what is there may be replaced now
+    const mine = this.#scene.text;
+    const both = bothIn(this.#saved, mine, text);
+    const choice = await this.#choose({ name: this.#home.name, mine, theirs: text, both });
+    if (choice !== null) this.#take(theirs, text, { mine, theirs: text, both }[choice]);
     return choice;
   }
 
-  #take({ tag, bytes }, text) {
+  // What is there may be replaced now.
+  #take({ tag, bytes }, text, wanted = text) {
     this.#tag = tag;
     this.#saved = text;
+    this.#isOvertaken = false;
+    if (wanted === this.#scene.text) return;
     this.#form = textIn(bytes).form;
-    this.#history.do(`Take ${this.#home.name}`, [{ text }]);
+    this.#history.do(`Take ${this.#home.name}`, [{ text: wanted }]);
   }
 
   #tell() {
     clearTimeout(this.#timer);
     for (const listener of this.#listeners) listener();
+  }
+}
+
+// Lines that fit each other may be no JSON together.
+function bothIn(base, mine, theirs) {
+  const both = base === null ? null : merged(base, mine, theirs);
+  try {
+    JSON.parse(both);
+    return both;
+  } catch {
+    return null;
   }
 }
