@@ -229,7 +229,7 @@ test('files that are missing are asked for', async (t) => {
   const { page } = await openEditor(t);
   await choose(page, [kMap]);
   await shown(page);
-  assert.match(await page.textContent('#import-not-taken'), /"town.png" was not chosen/);
+  assert.match(await page.textContent('#import-not-taken'), /"town.png": it was not chosen/);
   await page.selectOption('select[aria-label="What House/Upper becomes"]', 'leave out');
   await page.setInputFiles('#import-files', [kPicture]);
   await page.waitForFunction(
@@ -248,7 +248,11 @@ test('files that are missing are asked for', async (t) => {
     <image source="town.png" width="48" height="32"/></tileset>`;
   await choose(page, [file('far.tmj', mapOf({ source: 'tiles/town.tsx' }))]);
   await page.waitForFunction(() =>
-    /town.tsx.*Files that it names/.test(document.getElementById('open-told').textContent),
+    document
+      .getElementById('open-told')
+      .textContent.startsWith(
+        'far.tmj needs "tiles/town.tsx": it was not chosen together with the map. Choose it now',
+      ),
   );
   await choose(page, [file('town.tsx', tsx), kPicture]);
   await shown(page);

@@ -142,13 +142,19 @@ test('values become blocks that look like their tiles; entities become objects',
   const { all: texture } = scene.blueprints[scene.legend['#']].faces;
   const wall = decode(pictures.get(scene.textures[texture]));
   assert.deepEqual([...wall.data.slice(-4)], kTileColours[0]);
-  // Two tiles in one cell: what the upper one leaves see-through shows the lower.
+  // Flat values look like their tiles, too. Of two tiles in a cell the lower one shows through.
   const sign = map.floor.tiles[1][1];
   const stack = decode(pictures.get(scene.textures[map.floor.legend[sign]]));
   assert.deepEqual([...stack.data.slice(-4)], kTileColours[1]);
   assert.deepEqual([...stack.data.slice(4 * 16 * 6, 4 * 16 * 6 + 4)], kTileColours[5]);
-  const { comment, x, y } = map.objects[0];
-  assert.deepEqual([comment, x, y], ['Chest: gold=5, items={key, map}', 2.5, 1.5]);
+  const water = map.floor.legend[map.floor.tiles[1][2]] ?? map.floor.texture;
+  assert.deepEqual(
+    [...decode(pictures.get(scene.textures[water])).data.slice(-4)],
+    kTileColours[1],
+  );
+  const { comment, data, x, y } = map.objects[0];
+  assert.deepEqual([comment, x, y], ['Chest', 2.5, 1.5]);
+  assert.deepEqual(data, { gold: 5, items: ['key', 'map'] });
   assert.deepEqual([scene.start.x, scene.start.y], [1.5, 1.5]);
   assert.match(JSON.stringify(notTaken), /object Camera-1 .*a rectangle without a picture/);
 });
@@ -172,7 +178,12 @@ test('levels may lie in files of their own, and in several worlds', async () => 
   const files = { ...kFiles, 'd/Entry.ldtkl': level('Entry') };
   const project = projectOf([], { externalLevels: true, worlds: [{ levels: [outer] }] });
   assert.deepEqual((await make('d.ldtk', project, files)).scene, expected.scene);
-  await refused('d.ldtk', projectOf([outer]), kFiles, /level "Entry": found "d\/Entry\.ldtkl"/);
+  await refused(
+    'd.ldtk',
+    projectOf([outer]),
+    kFiles,
+    /^d\.ldtk needs "d\/Entry\.ldtkl": no such file$/,
+  );
 });
 
 test('layers of another grid, tiles between cells and pictures behind are told', async () => {
@@ -187,9 +198,35 @@ test('layers of another grid, tiles between cells and pictures behind are told',
   const { notTaken } = await make('d.ldtk', project, kFiles);
   const told = JSON.stringify(notTaken);
   assert.match(told, /layer \\"Fine\\"","reason":"its grid of 8 pixels is not the level's, 16/);
-  assert.match(told, /layer \\"Loose\\"","reason":"1 tiles between cells/);
-  assert.match(told, /1 tiles lie outside the level/);
+  assert.match(told, /layer \\"Loose\\"","reason":"1 tile between cells/);
+  assert.match(told, /1 tile outside the level/);
   assert.match(told, /its background/);
+});
+
+test('automatic tiles in a layer of their own are the look of their values', async () => {
+  const [entities, values] = layers;
+  const own = [
+    entities,
+    layerOf('Looks', 'AutoLayer', {
+      ...values,
+      __identifier: 'Looks',
+      __type: 'AutoLayer',
+      intGridCsv: [],
+      layerDefUid: 2,
+    }),
+    { ...values, autoLayerTiles: [] },
+  ];
+  const project = projectOf([level('Entry', { layerInstances: own })]);
+  project.defs.layers.push({
+    identifier: 'Looks',
+    uid: 2,
+    type: 'AutoLayer',
+    autoSourceLayerDefUid: 1,
+  });
+  const { scene } = await make('d.ldtk', project, kFiles);
+  const one = await make('d.ldtk', projectOf([level('Entry')]), kFiles);
+  assert.deepEqual(scene.maps[0].levels, one.scene.maps[0].levels);
+  assert.deepEqual(scene.textures, one.scene.textures);
 });
 
 test('layers lie one over another as they are drawn', async () => {

@@ -22,7 +22,7 @@ import { knowShipped } from '../edit/files/shipped.js';
 import { Engine } from '../engine/engine.js';
 import { kMostFileBytes, tooLong } from '../engine/limits.js';
 import { isShippedFile, placesOf, readFirst } from '../engine/source-parts.js';
-import { ImportError, makeScene, readForeign } from '../edit/import/index.js';
+import { counted, ImportError, makeScene, readForeign } from '../edit/import/index.js';
 import { readEngine } from './engine-files.js';
 import { load, SceneError } from './index.js';
 
@@ -89,7 +89,10 @@ async function readMap({ file, root }) {
   return readForeign({
     name: name.split(path.sep).join('/'),
     bytes: await bytesOf(file),
-    readFile: (one) => bytesOf(path.join(root, one)),
+    readFile: (one) =>
+      bytesOf(path.join(root, one)).catch((error) => {
+        throw error.code === 'ENOENT' ? new Error('there is no such file') : error;
+      }),
   });
 }
 
@@ -144,7 +147,7 @@ async function importMap(words) {
   );
   loaded.free();
   const lines = [
-    `Wrote ${words.output} and ${pictures.size} pictures.`,
+    `Wrote ${words.output} and ${counted(pictures.size, 'picture')}.`,
     ...maps,
     ...(notTaken.length > 0 ? ['Not taken, or not as it was:'] : []),
     ...notTaken.map(({ place, reason }) => `  ${place}: ${reason}`),

@@ -39,7 +39,7 @@ export function openDialog(dialog, button, parts) {
     if (!dialog.open && takePictures(files)) return;
     // Asked for at once: the list is emptied after this event.
     const handles = [...event.dataTransfer.items].map((item) => item.getAsFileSystemHandle?.());
-    if (!dialog.open) dialog.showModal();
+    if (!dialog.open) show();
     take(() => opened(files), { files, handles: Promise.all(handles) });
   });
 
@@ -91,9 +91,11 @@ export function openDialog(dialog, button, parts) {
       leave(() => location.assign(new URL(query, location.href)));
     } catch (error) {
       missing = error.missing ?? missing;
-      told.replaceChildren(`This cannot be opened. ${error.message}`);
-      if (error.missing !== undefined)
-        told.append(' Files that it names may be chosen now, or all of them together.');
+      told.replaceChildren(
+        error.missing === undefined
+          ? `This cannot be opened. ${error.message}`
+          : `${error.message}. Choose it now, or all files of the map at once.`,
+      );
     }
   }
 
@@ -105,7 +107,9 @@ export function openDialog(dialog, button, parts) {
     return { text: `${printed(made.scene, '')}\n`, pictures: made.pictures };
   }
 
-  button.addEventListener('click', async () => {
+  button.addEventListener('click', show);
+
+  async function show() {
     dialog.showModal();
     if (isFilled) return;
     isFilled = true;
@@ -120,7 +124,7 @@ export function openDialog(dialog, button, parts) {
         return card(title, `?scene=${name}`, picture);
       }),
     );
-  });
+  }
 }
 
 function card(title, query, picture) {

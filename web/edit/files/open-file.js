@@ -126,7 +126,7 @@ async function ofMap(map, files) {
         const found = files.get(name) ?? files.get(last) ?? files.get(ending(`/${last}`, files));
         if (found !== undefined) return found;
         isMissing = true;
-        throw new Error(`"${name}" was not chosen together with the map.`);
+        throw new Error('it was not chosen together with the map');
       },
     });
   const reread = async (list) => {

@@ -54,7 +54,9 @@ export function filesOf(readFile) {
     try {
       bytes = await readFile(name);
     } catch (error) {
-      throw new ImportError(from, place, `${quoted(name)}: ${error.message}`, 'a file to read');
+      const missing = new ImportError(from, place, error.message, 'a file to read');
+      missing.message = `${from} needs ${quoted(name)}: ${error.message}`;
+      throw missing;
     }
     if (!(bytes instanceof Uint8Array))
       throw new ImportError(from, place, `no bytes of ${quoted(name)}`, 'a file to read');

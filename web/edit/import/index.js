@@ -9,5 +9,6 @@ export * from './choices.js';
 export { exportTmj } from './export-tmj.js';
 export { ImportError } from './import-error.js';
 export { makeScene } from './make-scene.js';
+export { counted } from './notes.js';
 export { readForeign } from './read-foreign.js';
 export { kShippedSprites } from './shipped-sprites.js';

@@ -6,6 +6,7 @@
 
 import { startDraft } from './draft.js';
 import { ImportError, quoted } from './import-error.js';
+import { counted } from './notes.js';
 import { commentOf, isTrue, numberOf } from './properties.js';
 import { parseJson, textOfBytes } from './tiled-text.js';
 import { titleOf } from './titles.js';
@@ -81,7 +82,21 @@ async function readLevel(level, reading) {
       draft.note(place, `its grid of ${instance.__gridSize} pixels is not the level's, ${grid}`);
     else readLayer(instance, { ...reading, map, grid, place });
   }
+  for (const instance of instances) lookOfSource(instance, reading);
   draft.map(map);
+}
+
+// A layer of values may have its automatic tiles in a layer of their own.
+function lookOfSource(instance, { draft, layerNumbers, byUid }) {
+  const source = byUid('layers', instance.layerDefUid)?.autoSourceLayerDefUid ?? null;
+  const name = byUid('layers', source)?.identifier;
+  const [tiles, values] = [
+    layerNumbers.get(`${instance.__identifier} tiles`),
+    layerNumbers.get(`${name} values`),
+  ];
+  if (instance.__type !== 'AutoLayer' || tiles === undefined || values === undefined) return;
+  draft.layers[values].look ??= tiles;
+  draft.layers[tiles].use ??= 'floor';
 }
 
 function readLayer(instance, reading) {
@@ -188,9 +203,10 @@ function cellsOfTiles(tiles, instance, reading) {
     stacks.set(cell, parts);
   }
   const faint = tiles.filter(({ a = 1 }) => a !== 1).length;
-  if (faint > 0) draft.note(place, `${faint} tiles are drawn whole, although they are faint`);
-  if (between > 0) draft.note(place, `${between} tiles between cells are moved into whole ones`);
-  if (outside > 0) draft.note(place, `${outside} tiles lie outside the level`);
+  if (faint > 0) draft.note(place, `${counted(faint, 'faint tile')} drawn whole`);
+  if (between > 0)
+    draft.note(place, `${counted(between, 'tile')} between cells, moved into whole ones`);
+  if (outside > 0) draft.note(place, `${counted(outside, 'tile')} outside the level, left out`);
   const cells = new Uint32Array(map.width * map.depth);
   const columns = Math.max(1, Math.floor((set?.pxWid ?? side) / side));
   const idOf = ({ x, y, flip }) =>

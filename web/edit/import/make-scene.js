@@ -20,7 +20,7 @@ import {
 } from './import-limits.js';
 import { startLegend } from './legend-signs.js';
 import { startLooks } from './looks.js';
-import { listNotes } from './notes.js';
+import { counted, listNotes } from './notes.js';
 import { placeObjects } from './place-objects.js';
 import { groundOf, bestPlace, headingAt, placeNear } from './start-place.js';
 import { cleanName, uniqueNames } from './titles.js';
@@ -137,10 +137,10 @@ function checkChoices(proposal, fault) {
 function noteLeftOut({ layers, kinds, objectLayers }, notes) {
   for (const { name, use, tiles } of layers)
     if (use === 'leave out' && tiles > 0)
-      notes.add(`layer ${quoted(name)}`, `left out, with ${tiles} tiles`);
+      notes.add(`layer ${quoted(name)}`, `left out, with ${counted(tiles, 'tile')}`);
   for (const { name, use, parts, count } of kinds)
     if (use === 'empty' && parts.length > 0 && count > 0)
-      notes.add(`tile ${quoted(name)}`, `left out, at ${count} places`);
+      notes.add(`tile ${quoted(name)}`, `left out, at ${counted(count, 'place')}`);
   for (const { name, use } of objectLayers)
     if (use === 'leave out') notes.add(`layer ${quoted(name)}`, 'left out, with its objects');
 }
@@ -183,8 +183,11 @@ function gridsOf(map, { layers, kinds, outside }, old, blocks, notes, place) {
         }
         rows[cell] = blockOf(kindNumber, looks?.[cell] ?? 0);
         owners[level][cell] = number;
-      } else if (use === 'floor') grid.floor.add(cell, kindNumber);
-      else if (use === 'ceiling') {
+      } else if (use === 'floor') {
+        const look = looks?.[cell] ?? 0;
+        if (look === 0) grid.floor.add(cell, kindNumber);
+        else if (layers[layer.look].use !== 'floor') grid.floor.add(cell, look);
+      } else if (use === 'ceiling') {
         grid.ceiling.add(cell, kindNumber);
         grid.ceilingHeight = Math.max(grid.ceilingHeight ?? 0, layer.level);
       } else if (use === 'sprite' || use === 'start') {
@@ -203,7 +206,7 @@ function gridsOf(map, { layers, kinds, outside }, old, blocks, notes, place) {
     const [lower, upper] = key.split(' ').map((number) => layers[number].name);
     notes.add(
       `${place}layer ${quoted(lower)}`,
-      `${count} blocks stand where ${quoted(upper)} has its own, which are taken`,
+      `${counted(count, 'block')} in the place of those of ${quoted(upper)}, which are taken`,
     );
   }
   // At least one level has rows, and those of the scene that the map came from.

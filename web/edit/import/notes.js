@@ -4,6 +4,9 @@
 //     const notes = listNotes(1000);
 //     notes.add('layer "Deco", tile 3,4', 'it lies under a tile of "Walls"');
 //     notes.list()                            // [{ place, reason }]
+//     counted(1, 'tile')                      // '1 tile'
+
+export const counted = (count, one, many = `${one}s`) => `${count} ${count === 1 ? one : many}`;
 
 export function listNotes(most) {
   const list = [];

@@ -5,13 +5,15 @@
 
 import { quoted } from './import-error.js';
 import { kMostMessage, kMostMessages } from './import-limits.js';
-import { commentOf, numberOf, textOf } from './properties.js';
+import { numberOf, textOf } from './properties.js';
 import { kShippedSprites } from './shipped-sprites.js';
 
 const kMostHeight = 64; // units, of an object
 const kRim = 0.01; // units: what stands on the map's eastern edge is outside
 const kLampHeight = 0.7; // units above the level's base
-const kTold = ['sprite', 'z', 'level', 'heading', 'direction', 'text', 'message'];
+const kNear = 3; // tiles: how wide and deep is the place where somebody is heard
+const kSaid = ['dialog', 'dialogue', 'text', 'message'];
+const kTold = ['sprite', 'z', 'level', 'heading', 'direction', ...kSaid];
 const kToldOfLamps = [...kTold, 'colour', 'color', 'strength', 'intensity', 'radius'];
 
 export function placeObjects(map, grid, proposal, looks, notes, fault) {
@@ -108,10 +110,20 @@ function headingOf(object) {
   return object.rotation % 360 === 0 ? null : object.rotation % 360;
 }
 
-function objectOf({ sprite, x, y, z, size, comment, heading = null, lamp = null }) {
+// What is kept for people and programs that read the scene.
+function keptOf({ class: kind, name, properties }, told) {
+  const rest = Object.entries(properties).filter(([key]) => !told.includes(key));
+  return {
+    comment: [kind, name].filter(Boolean).join(' '),
+    data: rest.length === 0 ? null : Object.fromEntries(rest),
+  };
+}
+
+function objectOf({ sprite, x, y, z, size, comment, data = null, heading = null, lamp = null }) {
   const sideOf = (side) => within(rounded(side) || 1, 0.01, kMostHeight);
   return {
     ...(comment && { comment }),
+    ...(data !== null && { data }),
     sprite,
     x,
     y,
@@ -149,7 +161,9 @@ function placeSprite(all) {
       object.kind === 0
         ? `${object.shape === 'ellipse' ? 'an' : 'a'} ${object.shape} without a picture`
         : 'its picture is missing';
-    notes.add(place, `${reason}${commentOf('', own) && `; its properties: ${commentOf('', own)}`}`);
+    const has = Object.keys(object.properties);
+    notes.add(place, `${reason}${has.length === 0 ? '' : `; it has ${has.join(', ')}`}`);
+    placeSaid(all);
     return;
   }
   if (object.rotation % 360 !== 0)
@@ -160,22 +174,28 @@ function placeSprite(all) {
       ...at,
       z: raised(at, heightOf(own, layer), place),
       size: shipped?.size ?? object,
-      comment: commentOf([object.class, object.name].filter(Boolean).join(' '), own, told),
+      ...keptOf(object, told),
       heading: headingOf(object),
       lamp,
     }),
   );
+  placeSaid(all);
 }
 
-// Starts and messages have no comments.
-function noteRest(object, place, notes) {
-  const rest = commentOf('', propertiesOf(object), kTold);
-  if (rest !== '') notes.add(place, `its properties are left out: ${rest}`);
+// Who has something to say is heard around him.
+function placeSaid(all) {
+  const said = kSaid.map((name) => all.object.properties[name]).find(Boolean);
+  if (said === undefined) return;
+  const { width, height } = all.object;
+  const near = { width: Math.max(kNear, width), height: Math.max(kNear, height) };
+  addMessage(all, textOf(said), { ...near, kept: {} });
 }
 
 function placeStart({ object, at, layer, place, placed, notes }) {
   const z = heightOf(propertiesOf(object), layer);
-  noteRest(object, place, notes);
+  const { data } = keptOf(object, kTold);
+  if (data !== null)
+    notes.add(place, `its properties are left out: ${Object.keys(data).join(', ')}`);
   placed.starts.push({ ...at, z, heading: headingOf(object), place });
 }
 
@@ -198,29 +218,39 @@ function placeLamp(all) {
     placed.isLit = true;
     return;
   }
-  const comment = commentOf(
-    [object.class, object.name].filter(Boolean).join(' '),
-    own,
-    kToldOfLamps,
-  );
+  const { comment, data } = keptOf(object, kToldOfLamps);
   const z = numberOf(own, 'z', 0, 1000) ?? within(heightOf(own, layer) + kLampHeight, 0, 1000);
-  placed.lamps.push({ ...(comment && { comment }), ...at, z: raised(at, z, place), ...lamp });
+  placed.lamps.push({
+    ...(comment && { comment }),
+    ...(data !== null && { data }),
+    ...at,
+    z: raised(at, z, place),
+    ...lamp,
+  });
 }
 
-function placeMessage({ object, at, layer, place, placed, map, notes }) {
+function placeMessage(all) {
+  const { object } = all;
+  const said = kSaid.map((name) => object.properties[name]).find(Boolean);
+  const { data } = keptOf(object, kTold);
+  const kept = data === null ? {} : { data };
+  addMessage(all, textOf(object.text || said || object.name), { ...object, kept });
+}
+
+function addMessage({ object, at, layer, place, placed, map, notes }, said, around) {
   const own = propertiesOf(object);
-  const text = textOf(object.text || own.get('text') || own.get('message') || object.name).trim();
+  const text = said.trim();
   if (text === '') {
     notes.add(place, 'a message without a text');
     return;
   }
-  noteRest(object, place, notes);
   if ([...text].length > kMostMessage)
     notes.add(place, `its text is cut after ${kMostMessage} characters`);
-  const [x, across] = tilesOf(at.x, object.width, map.width);
-  const [y, down] = tilesOf(at.y, object.height, map.depth);
+  const [x, across] = tilesOf(at.x, around.width, map.width);
+  const [y, down] = tilesOf(at.y, around.height, map.depth);
   const bottom = heightOf(own, layer);
   placed.messages.push({
+    ...around.kept,
     text: [...text].slice(0, kMostMessage).join(''),
     x,
     y,

@@ -7,6 +7,7 @@
 import { startDraft } from './draft.js';
 import { ImportError, quoted } from './import-error.js';
 import { kMostFrames, kMostLayers, kMostNesting } from './import-limits.js';
+import { counted } from './notes.js';
 import { commentOf, isTrue, numberOf, propertiesOf } from './properties.js';
 import { readCells } from './tiled-cells.js';
 import { parseTiled } from './tiled-text.js';
@@ -195,9 +196,9 @@ async function cellsOf(layer, area, source, tiles, file, draft) {
       else cells[toY * area.width + toX] = kind;
     });
   }
-  if (outside > 0) draft.note(layer.place, `${outside} tiles lie outside the map`);
+  if (outside > 0) draft.note(layer.place, `${counted(outside, 'tile')} outside the map, left out`);
   for (const [gid, count] of unknown)
-    draft.note(layer.place, `tile ${gid}, which no tileset has, at ${count} places`);
+    draft.note(layer.place, `tile ${gid}, which no tileset has, at ${counted(count, 'place')}`);
   return cells;
 }
 
@@ -321,7 +322,10 @@ async function tilesetOf(entry, file, files, draft) {
   if (own !== '') draft.note(`tileset ${quoted(title)}`, `its properties are left out: ${own}`);
   const shapes = list.filter((tile) => tile?.objectgroup).length;
   if (shapes > 0)
-    draft.note(`tileset ${quoted(title)}`, `the collision shapes of ${shapes} tiles are left out`);
+    draft.note(
+      `tileset ${quoted(title)}`,
+      `the collision shapes of ${counted(shapes, 'tile')} are left out`,
+    );
   return {
     ...set,
     first,
