@@ -218,13 +218,12 @@ test('groups, offsets and properties of layers are kept, hidden layers are told'
     kFiles,
   );
   const blank = ['.....', '.....', '.....', '.....'];
-  const [ground, middle, above] = levelsOf(made);
-  assert.deepEqual(ground[0].slice(0, 3), '#t.', 'b and the half block');
+  const [ground, middle, above, roof] = levelsOf(made);
+  assert.deepEqual(ground[0].slice(0, 3), '#T.', 'b and the half block');
   assert.deepEqual(middle, []);
   assert.deepEqual(above, [...blank.slice(0, 2), '..#..', blank[3]]);
-  assert.equal(made.scene.blueprints[made.scene.legend.t].top, 0.5);
-  const { ceiling } = made.scene.maps[0];
-  assert.deepEqual([ceiling.height, ceiling.tiles[1]], [3, ' tt  ']);
+  assert.equal(made.scene.blueprints[made.scene.legend.T].top, 0.5);
+  assert.deepEqual(roof[1], '.tt..');
   const told = made.notTaken.map(({ place, reason }) => `${place}: ${reason}`).join('\n');
   assert.match(told, /layer "off\/unseen": left out, with 1 tile\b/);
   assert.match(told, /layer "b": its offset of 5,0 pixels is rounded/);
@@ -429,6 +428,43 @@ test('objects become sprites, starts, lamps and messages, or are told with their
   });
   assert.equal(left.scene.maps[0].objects.length, 4);
   assert.equal(left.scene.maps[0].baked, undefined);
+});
+
+test('what is above the player stands on the walls, and lamps leave the day as it is', async () => {
+  const at = (tiles, gid) => kGround.map((_, index) => (tiles.includes(index) ? gid : 0));
+  const torch = { id: 1, type: 'torch', name: '', x: 32, y: 16, point: true };
+  const map = mapOf([
+    ...yard().layers,
+    tileLayer('Roofs', at([0, 1, 5, 6], 3)),
+    tileLayer('Above player', at([1, 12, 13], 6)),
+    tileLayer('Chimneys', at([1], 4), { properties: [{ name: 'level', type: 'int', value: 2 }] }),
+    tileLayer('Light', at([7], 5)),
+    objectLayer('Lamps', [torch]),
+  ]);
+  const { scene, proposal, notTaken } = await make('village.tmj', map, kFiles);
+  assert.deepEqual(
+    proposal.layers.map(({ name, use, level }) => `${name}: ${use} ${level}`),
+    [
+      'Ground: floor 0',
+      'Walls: level 0',
+      'Roofs: level 3',
+      'Above player: level 3',
+      'Chimneys: level 2',
+      'Light: leave out 0',
+    ],
+  );
+  assert.equal(scene.maps[0].ceiling, undefined);
+  assert.equal(scene.maps[0].baked.ambient, '#ffffff');
+  assert.match(JSON.stringify(notTaken), /layer \\"Light\\"","reason":"left out, with 1 tile"/);
+  const night = await make('village.tmj', map, kFiles, (one) => (one.light = 'night'));
+  assert.equal(night.scene.maps[0].baked.ambient, '#404048');
+  const mostly = mapOf([
+    ...yard().layers,
+    tileLayer('Roof', at([0, 1], 3)),
+    tileLayer('Overlay', at([1], 6)),
+  ]);
+  const { layers } = await proposalOf('village.tmj', mostly, kFiles);
+  assert.deepEqual([layers[2].level, layers[3].level], [1, 2], 'it lies on the roof');
 });
 
 test('templates give what their objects leave out', async () => {

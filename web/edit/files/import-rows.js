@@ -11,8 +11,10 @@ import {
   groupsOf,
   kindUses,
   kShippedSprites,
+  lampsOf,
   layersOfKinds,
   layerUses,
+  lightUses,
   objectLayerUses,
   outsideOf,
   outsideUses,
@@ -56,7 +58,11 @@ export class ImportRows {
         'Layers of objects',
         objectLayers.map((layer) => this.#objectLayerRow(layer)),
       ),
-      ...part('Objects', [...classes.map((row) => this.#classRow(row)), ...this.#outsideRow()]),
+      ...part('Objects', [
+        ...classes.map((row) => this.#classRow(row)),
+        ...(classes.length === 0 ? [] : [this.#lightRow()]),
+        ...this.#outsideRow(),
+      ]),
     );
     this.#update();
   }
@@ -311,6 +317,24 @@ export class ImportRows {
         () => ['object', 'lamp'].includes(row.use),
       ),
     );
+  }
+
+  // How dark it is around lamps, if there are some.
+  #lightRow() {
+    const count = element('span', { className: 'soft' });
+    const node = element(
+      'li',
+      {},
+      element('span', { className: 'words' }, element('b', {}, 'Light of the world'), count),
+      this.#select(
+        'Light of the world',
+        lightUses,
+        () => this.#proposal.light,
+        (light) => (this.#proposal.light = light),
+      ),
+    );
+    const update = () => (count.textContent = counted(lampsOf(this.#proposal), 'lamp', 'lamps'));
+    return this.#add({ node, update }, () => lampsOf(this.#proposal) > 0);
   }
 
   #outsideRow() {

@@ -43,6 +43,13 @@ export function openDialog(dialog, button, parts) {
     take(() => opened(files), { files, handles: Promise.all(handles) });
   });
 
+  function tell(text, ...more) {
+    const line = document.createElement('p');
+    line.textContent = text;
+    told.replaceChildren(line, ...more);
+    told.scrollIntoView({ block: 'nearest' });
+  }
+
   // Where pages may write files, the file is remembered, to be saved to.
   async function pick() {
     if (globalThis.showOpenFilePicker === undefined) return input.click();
@@ -51,8 +58,7 @@ export function openDialog(dialog, button, parts) {
       const files = await Promise.all(handles.map((handle) => handle.getFile()));
       take(() => opened(files), { files, handles });
     } catch (error) {
-      if (error.name !== 'AbortError')
-        told.replaceChildren(`This cannot be opened. ${error.message}`);
+      if (error.name !== 'AbortError') tell(`This cannot be opened. ${error.message}`);
     }
   }
 
@@ -91,11 +97,12 @@ export function openDialog(dialog, button, parts) {
       leave(() => location.assign(new URL(query, location.href)));
     } catch (error) {
       missing = error.missing ?? missing;
-      told.replaceChildren(
-        error.missing === undefined
-          ? `This cannot be opened. ${error.message}`
-          : `${error.message}. Choose it now, or all files of the map at once.`,
-      );
+      if (error.missing === undefined) tell(`This cannot be opened. ${error.message}`);
+      else {
+        const choose = document.createElement('button');
+        Object.assign(choose, { type: 'button', textContent: 'Choose files', onclick: pick });
+        tell(`${error.message}. Choose it now, or all files of the map at once.`, choose);
+      }
     }
   }
 

@@ -8,6 +8,7 @@
 //     const layers = layersOfKinds(proposal);  // for each kind
 //     kindUses(kind, layers[0])            // [use, its words]
 //     setKindUse(kind, 'block')
+//     lampsOf(proposal)                    // how many objects shine
 //     outsideOf(proposal)                  // how many objects lie beside the map
 //     keepChoices(old, proposal)           // after further files were added
 
@@ -35,6 +36,11 @@ export const classUses = [
 export const outsideUses = [
   ['move to edge', 'Move to its edge'],
   ['leave out', 'Leave out'],
+];
+export const lightUses = [
+  ['day', 'Day'],
+  ['dusk', 'Dusk: lamps show'],
+  ['night', 'Night'],
 ];
 const kKindWords = {
   block: 'Block',
@@ -126,6 +132,13 @@ export function setKindUse(kind, use) {
   if (use === 'start') kind.heading ??= 0;
 }
 
+export function lampsOf({ maps, classes, objectLayers }) {
+  const lamps = new Set(classes.filter(({ use }) => use === 'lamp').map(({ name }) => name));
+  const shines = ({ of, layer, isHidden }) =>
+    lamps.has(of) && !isHidden && objectLayers[layer].use === 'take';
+  return maps.reduce((sum, { objects }) => sum + objects.filter(shines).length, 0);
+}
+
 export function outsideOf({ maps }) {
   const isOutside = ({ x, y }, { width, depth }) => !(x >= 0 && y >= 0 && x < width && y < depth);
   return maps.reduce(
@@ -144,6 +157,7 @@ const kKept = {
 // Both are of one file, so what has the same name is the same.
 export function keepChoices(old, proposal) {
   proposal.outside = old.outside;
+  proposal.light = old.light;
   for (const [list, fields] of Object.entries(kKept))
     proposal[list].forEach((row, index) => {
       const before = old[list][index];

@@ -137,6 +137,7 @@ export function startDraft(file, format, title) {
         format,
         title,
         outside: 'move to edge',
+        light: 'day',
         layers,
         kinds,
         objectLayers,

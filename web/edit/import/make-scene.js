@@ -33,7 +33,7 @@ const kChoices = {
 };
 const kByLayer = { level: 'block', floor: 'floor', ceiling: 'ceiling', sprites: 'sprite' };
 const kGround = '#76806a'; // where no floor is painted
-const kAmbient = '#9a9a9a'; // of maps with lamps: they show, and nothing is black
+const kAmbient = { day: '#ffffff', dusk: '#9a9a9a', night: '#404048' }; // of maps with lamps
 const kSurroundings = {
   sky: { low: '#d4e0d9', high: '#5b8fc7' },
   light: { multiplier: 8, darkest: 0.75 },
@@ -89,7 +89,7 @@ export async function makeScene(proposal) {
         ...(messages.length > 0 && { messages: [...(own.messages ?? []), ...messages] }),
         ...((lamps.length > 0 || placed.isLit) && {
           baked: {
-            ...(own.baked ?? { ambient: kAmbient }),
+            ...(own.baked ?? { ambient: kAmbient[proposal.light] }),
             lamps: [...(own.baked?.lamps ?? []), ...lamps],
           },
         }),
@@ -127,6 +127,8 @@ function checkChoices(proposal, fault) {
     for (const { name, use } of proposal[list])
       if (!uses.includes(use))
         throw fault(`${list} ${quoted(name)}`, `the use ${quoted(use)}`, uses.join(', '));
+  if (!Object.hasOwn(kAmbient, proposal.light))
+    throw fault('', `the light ${quoted(proposal.light)}`, Object.keys(kAmbient).join(', '));
   for (const { name, use, level } of proposal.layers) {
     const isFit = use === 'ceiling' ? level > 0 && level <= 1000 : Number.isInteger(level);
     if (use !== 'leave out' && !(isFit && level >= 0 && (use !== 'level' || level < kMostLevels)))

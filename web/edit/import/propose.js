@@ -4,6 +4,7 @@
 //     proposal = {
 //       file, format, title,
 //       outside        'move to edge' or 'leave out': objects beside the map
+//       light          'day', 'dusk' or 'night': how dark it is where no lamp of the map shines
 //       layers         [{ name, use, level, bottom, top, look, tiles, comment }]: `use` is 'level',
 //                      'floor', 'ceiling', 'sprites' or 'leave out'; `level` counts from 0, for a
 //                      ceiling it is the height; `bottom` and `top` are heights of its blocks, or
@@ -27,11 +28,13 @@
 import { kShippedSprites } from './shipped-sprites.js';
 
 const kLayerNames = [
-  ['ceiling', /roof|ceiling|above|overhead|overlay|canopy/i],
+  ['leave out', /(^|\/)(lights?|lighting|shadows?|glow)$/i],
+  ['ceiling', /ceiling/i],
   ['level', /wall|block|solid|collision|collide|level|storey|story|obstacle|building|house/i],
   ['floor', /ground|floor|terrain|background|base|water|grass|land|path|road/i],
   ['sprites', /deco|detail|prop|object|plant|tree|bush|furniture|item|sprite/i],
 ];
+const kAbove = /roof|above|overhead|overlay|canopy|treetop/i; // on the level above the walls
 const kClassNames = [
   ['start', /^(player|start|spawn|hero|entrance)|(player|start|spawn)\b|_(start|spawn)$/i],
   ['lamp', /lamp|light|torch|lantern|candle|brazier/i],
@@ -48,6 +51,8 @@ export function propose(draft) {
           layers[layer].tiles += 1;
           kinds[kind - 1].count += 1;
         }
+  const above = layers.filter(({ use, name }) => use === null && kAbove.test(name));
+  for (const layer of above) layer.use = 'level';
   for (const layer of layers)
     layer.use ??= kLayerNames.find(([, words]) => words.test(layer.name))?.[0] ?? null;
   if (!layers.some(({ use }) => use === 'floor')) {
@@ -55,7 +60,8 @@ export function propose(draft) {
     if (lowest !== undefined) lowest.use = 'floor';
   }
   for (const layer of layers) layer.use ??= 'level';
-  giveLevels(layers);
+  const highest = giveLevels(layers, above);
+  raise(above, highest, proposal);
   for (const one of classes) {
     one.use ??= kClassNames.find(([, words]) => words.test(one.name))?.[0] ?? 'object';
     one.sprite ??= shippedFor(one, maps);
@@ -80,9 +86,9 @@ function covers(maps, layer) {
   return own.length > 0 && own.every((cells) => cells.every((kind) => kind !== 0));
 }
 
-// Numbers at the end of names count from the lowest one; others go on upwards.
-function giveLevels(layers) {
-  const levels = layers.filter(({ use }) => use === 'level');
+// Numbers at the end of names count from the lowest one; others go on upwards. Gives the highest.
+function giveLevels(layers, above) {
+  const levels = layers.filter((layer) => layer.use === 'level' && !above.includes(layer));
   const numberIn = ({ name }) => {
     const [, digits] = /(\d{1,3})\D*$/.exec(name) ?? [];
     return digits === undefined ? null : Number(digits);
@@ -102,6 +108,27 @@ function giveLevels(layers) {
   );
   for (const layer of layers) {
     if (layer.use === 'ceiling') layer.level ??= highest + 1;
-    else layer.level ??= 0;
+    else if (!above.includes(layer)) layer.level ??= 0;
   }
+  return highest;
+}
+
+// All on one level, but for those that lie on another one mostly, as chimneys on their roofs.
+function raise(above, highest, { layers, maps }) {
+  const cellsOf = (layer) => maps.map(({ cells }) => cells[layers.indexOf(layer)] ?? []);
+  const meets = (one, other) => {
+    const others = cellsOf(other);
+    const common = cellsOf(one).reduce(
+      (sum, cells, map) =>
+        cells.reduce((count, kind, at) => count + (kind !== 0 && others[map][at] > 0), sum),
+      0,
+    );
+    return common > one.tiles / 2;
+  };
+  above.forEach((layer, index) => {
+    layer.level = Math.min(31, highest + 1);
+    for (const lower of above.slice(0, index))
+      if (lower.level >= layer.level && meets(layer, lower))
+        layer.level = Math.min(31, lower.level + 1);
+  });
 }
