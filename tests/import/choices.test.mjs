@@ -108,7 +108,7 @@ test('a kind says what its layers make of it, and may be something else', async 
   assert.deepEqual(
     kindUses(proposal.kinds[wall], layers[wall]).map(([use, words]) => `${use}: ${words}`),
     [
-      'by layer: As its layer: block',
+      'by layer: Block (layer)',
       'block: Block',
       'floor: Floor',
       'sprite: Upright picture',
@@ -117,7 +117,7 @@ test('a kind says what its layers make of it, and may be something else', async 
     ],
   );
   setLayerUse(proposal, proposal.layers[2], 'floor');
-  assert.match(kindUses(proposal.kinds[wall], layers[wall])[0][1], /: block, floor$/);
+  assert.match(kindUses(proposal.kinds[wall], layers[wall])[0][1], /^As its layers$/);
   assert.deepEqual(seenAs(proposal.kinds[wall], layers[wall]), ['block', 'floor']);
   setKindUse(proposal.kinds[wall], 'empty');
   assert.deepEqual(seenAs(proposal.kinds[wall], layers[wall]), ['empty']);

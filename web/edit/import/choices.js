@@ -111,9 +111,9 @@ export function layersOfKinds({ layers, maps, kinds }) {
 
 // Only kinds with a picture can stand upright.
 export function kindUses(kind, layers) {
-  const made = new Set([...layers].map(({ use }) => kKindWords[kByLayer[use]].toLowerCase()));
+  const made = [...new Set([...layers].map(({ use }) => kKindWords[kByLayer[use]]))];
   return [
-    ['by layer', `As its layer: ${[...made].join(', ')}`],
+    ['by layer', made.length === 1 ? `${made[0]} (layer)` : 'As its layers'],
     ...['block', 'floor', 'sprite', 'start', 'empty']
       .filter((use) => use !== 'sprite' || kind.parts.length > 0)
       .map((use) => [use, kKindWords[use]]),
