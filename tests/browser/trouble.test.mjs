@@ -6,7 +6,7 @@ import { readFileSync } from 'node:fs';
 import { after, before, test } from 'node:test';
 import { launch } from './browser.mjs';
 import { openGuest, ready, until } from './guest-page.mjs';
-import { roomFiles, roomScene } from './room.mjs';
+import { roomFiles, roomPictures, roomScene } from './room.mjs';
 import { serve } from './static-server.mjs';
 import { errorCodes } from '../../web/element/faults.js';
 
@@ -242,6 +242,25 @@ test('missing pictures, invalid JSON, and rows with faults: scene', async (t) =>
   );
   assert.match((await troubleOf(page, '#two')).faults[0].found, /./);
   assert.equal((await troubleOf(page, '#three')).faults[0].place, 'rows:1:2');
+});
+
+test('shipped pictures that are not beside a scene come from the package; others are told', async (t) => {
+  const scene = roomScene({ folder: '../textures/' });
+  const files = { ...roomPictures('textures/'), 'my/worlds/far.json': JSON.stringify(scene) };
+  scene.textures.red = '../textures/none.png';
+  files['my/worlds/bad.json'] = JSON.stringify(scene);
+  const { page } = await openTroubled(t, {
+    body: `<ray-caster id="far" loading="eager" scene="my/worlds/far.json"></ray-caster>
+      <ray-caster id="bad" loading="eager" scene="my/worlds/bad.json"></ray-caster>`,
+    server: { files },
+  });
+  const { faults } = await troubleOf(page, '#bad');
+  assert.equal(faults.length, 1);
+  assert.match(faults[0].found, /none\.png", which could not be read: the server answers 404/);
+  assert.equal(
+    await page.evaluate(async () => (await document.getElementById('far').whenReady()).title),
+    'The coloured room',
+  );
 });
 
 test("pictures of a host that does not share: the scene's fault says so", async (t) => {
