@@ -41,8 +41,16 @@ export async function servedFile(address) {
     at,
     read,
     ifReadable: read,
+    // Not while hidden: browsers open few connections to a server at a time.
     watch(listener) {
-      new EventSource(new URL(kEvents, document.baseURI)).addEventListener('scene', listener);
+      let events = null;
+      const listen = () => {
+        events?.close();
+        events = document.hidden ? null : new EventSource(new URL(kEvents, document.baseURI));
+        events?.addEventListener('scene', listener);
+      };
+      document.addEventListener('visibilitychange', listen);
+      listen();
     },
     async write(bytes, tag) {
       if (about.token === null) throw new Error(about.reason);
