@@ -4,19 +4,15 @@
 #include <bit>
 
 namespace slicecast {
-namespace {
-
-constexpr std::size_t kFirstRecordSlots = 1024;
-
-}  // namespace
 
 void LitMap::beginFrame(const World& world, const Map& map, LightAllowance* allowance) {
     const std::uint32_t before = change_;
     allowance_ = allowance;
     lines_.beginFrame();
-    if (scene_.begin(world, map) || objects_.size() != map.objects.size()) {
-        forgetAll();
-        objects_.assign(map.objects.size(), {});
+    objects_.resize(map.objects.size());
+    if (scene_.begin(world, map)) {
+        samples_.forgetAll();
+        oldest_ = ++change_;
         outside_ = LightSamples::ofOutside(scene_);
     } else if (scene_.changed() != 0) {
         samples_.clear();
@@ -55,6 +51,7 @@ std::size_t LitMap::bytes() const {
 }
 
 bool LitMap::isStale(std::uint64_t touched, std::uint32_t made) const {
+    if (made < oldest_) return true;
     for (std::size_t bit = 0; touched != 0; ++bit, touched >>= 1) {
         if ((touched & 1) != 0 && changes_[bit] > made) return true;
     }

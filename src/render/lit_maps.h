@@ -33,10 +33,14 @@ class LitMap {
 public:
     // What speeds light up takes 1.2 MB, or that divided by `sharing`, a power of two up to 128.
     explicit LitMap(std::size_t sharing = 1)
-        : scene_(sharing), samples_(sharing), recent_(kRecent / sharing) {}
+        : scene_(sharing),
+          samples_(sharing),
+          slots_(kFirstRecordSlots),
+          recent_(kRecent / sharing) {}
 
     // Once before each frame. `allowance` is what is left of the picture's work of light, or null
-    // for no limit; it must outlive the frame.
+    // for no limit; it must outlive the frame. If the map is not as it was, its light is shown as
+    // it was until it is worked out anew.
     void beginFrame(const World& world, const Map& map, LightAllowance* allowance = nullptr);
 
     // Between strips: gives back what is kept, as far as nothing holds it.
@@ -93,7 +97,8 @@ private:
         std::uint32_t change = 0;
         FaceNodes nodes;
     };
-    static constexpr std::size_t kRecent = 4096;  // a power of two
+    static constexpr std::size_t kRecent = 4096;            // a power of two
+    static constexpr std::size_t kFirstRecordSlots = 1024;  // one, too
 
     struct LitObject {
         std::uint64_t touched = 0;
@@ -123,6 +128,7 @@ private:
     LightAllowance* allowance_ = nullptr;
     bool isLate_ = false;       // something is not as it should be since the last frame
     std::uint32_t change_ = 0;  // counts what has changed
+    std::uint32_t oldest_ = 0;  // the change at which the whole map did
     std::array<std::uint32_t, 64> changes_{};  // by place bit: the last change there
 
     std::vector<Record> records_;

@@ -100,7 +100,7 @@ int Renderer::drawSome(const World& world, const Eye& eye, const RenderOptions& 
     for (const int end = std::min(x + kColumns, picture.width); x < end;) {
         const FrameReport before = scratch_->report;
         const int columns = strips.draw(x);
-        if (strips.frame.lit.allowance().late > 0) {
+        if (strips.frame.lit.allowance().unlit > 0) {
             scratch_->report = before;
             scratch_->report.lightWork = strips.frame.lit.work();
             return x;

@@ -43,8 +43,9 @@ public:
               const Picture& picture, int firstColumn = 0);
 
     // Draws some strips of a picture, from a column on: few enough to take milliseconds, and only
-    // those whose light options.lightWork leaves room for. Returns the column where the next call
-    // has to go on, the picture's width when it is whole, or -1 for what draw refuses.
+    // those for which options.lightWork leaves room for light where none was known. Returns the
+    // column where the next call has to go on, the picture's width when it is whole, or -1 for what
+    // draw refuses.
     int drawSome(const World& world, const Eye& eye, const RenderOptions& options,
                  const Picture& picture, int firstColumn);
 

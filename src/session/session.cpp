@@ -146,6 +146,10 @@ void Session::stepAround(const GateAsk& ask) {
     liftObjects(world_, std::span(bodies_).subspan(1));
 }
 
+void Session::keepLightOf(Session& other) {
+    renderer_.lit() = std::move(other.renderer_.lit());
+}
+
 bool Session::draw(const Picture& picture, double fraction, LightWork lightWork) {
     clock_.begin();
     // Movers and objects are shown between the steps like the eye; otherwise they would tremble for

@@ -148,6 +148,10 @@ public:
     // uses it.
     void setClock(PhaseClock::Now now) { clock_.set(std::move(now)); }
 
+    // Shows the light that another session of almost the same world has worked out, until it is
+    // worked out for this one.
+    void keepLightOf(Session& other);
+
     // Draws the view. Natively it may be given a crew.
     SessionRenderer& renderer() { return renderer_; }
 

@@ -42,8 +42,9 @@ using namespace slicecast;
 // the game of its session.
 struct SlicecastSession {
     bool ofProgram = false;
-    std::string sceneText;  // that is being parsed
-    std::string pictures;   // the table of shipped pictures, once it has been supplied
+    bool keepsLight = false;  // once the scene that loads is there
+    std::string sceneText;    // that is being parsed
+    std::string pictures;     // the table of shipped pictures, once it has been supplied
     std::optional<SceneParser> parser;
     ParsedScene parsed;
     SceneFiles files;
@@ -186,6 +187,7 @@ void SlicecastSession::endLoading() {
     give(json.endObject().str());
     if (!loaded.world) return;
     auto loadedGame = std::make_unique<Session>(std::move(*loaded.world));
+    if (keepsLight && game() != nullptr) loadedGame->keepLightOf(*game());
     for (const OptionInfo& option : knownOptions())
         loadedGame->setOption(option.name, currentValue(*this, option.name));
     if (ofProgram) {
@@ -265,7 +267,8 @@ EMSCRIPTEN_KEEPALIVE const uint32_t* slicecast_supply(SlicecastSession* session,
     return session->supplied;
 }
 
-EMSCRIPTEN_KEEPALIVE void slicecast_start(SlicecastSession* session) {
+EMSCRIPTEN_KEEPALIVE void slicecast_start(SlicecastSession* session, int32_t keepsLight) {
+    session->keepsLight = keepsLight != 0;
     // If the text had faults, this reports them again and makes no world.
     session->loader.emplace(std::move(session->parsed), session->files, std::move(session->early));
 }

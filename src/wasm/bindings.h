@@ -109,10 +109,10 @@ const uint32_t* slicecast_supply(SlicecastSession* session, const char* fileName
                                  const uint8_t* bytes, int32_t byteCount, int32_t blank);
 
 // Begins to build the world, which is played at the end. The answer is {"faults": [...],
-// "warnings":
-// [...]}. With any fault the game that ran before continues; warnings do not prevent playing.
-// Options are kept.
-void slicecast_start(SlicecastSession* session);
+// "warnings": [...]}. With any fault the game that ran before continues; warnings do not prevent
+// playing. Options are kept. With `keepsLight` 1 pictures have the light of the game before until
+// theirs is worked out: for a scene that has changed a little.
+void slicecast_start(SlicecastSession* session, int32_t keepsLight);
 
 // The size of the module's memory in use, in bytes from its start.
 uint32_t slicecast_memoryEnd(void);

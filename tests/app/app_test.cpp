@@ -177,6 +177,36 @@ TEST_F(AppTest, ShowsAFirstPictureWhoseLightIsLate) {
     EXPECT_TRUE(first != whole);
 }
 
+TEST_F(AppTest, ShowsTheLightOfBeforeUntilItIsMadeAnew) {
+    app.resize(160, 100);
+    app.keyDown(SDL_SCANCODE_P, false);
+    const auto drawAll = [&] {
+        for (int i = 0; i < 400 && app.wantsFrame(); ++i) app.frame(shell.now);
+        ASSERT_EQ(app.game()->report().lateLight, 0);
+    };
+    app.play(std::make_unique<Session>(fieldOfHeights()));
+    drawAll();
+    const std::vector<Pixel> before = shell.last;
+
+    auto next = std::make_unique<Session>(fieldOfHeights());
+    next->keepLightOf(*app.game());
+    app.play(std::move(next));
+    const int shown = shell.shown;
+    app.frame(shell.now);
+    EXPECT_EQ(shell.shown, shown + 1) << "at once";
+    EXPECT_EQ(app.game()->report().unlit, 0);
+    EXPECT_TRUE(shell.last == before);
+    drawAll();
+
+    // A change far away, which is not seen
+    ASSERT_EQ(app.game()->setCell({0, 0, 0, 159}, "."), "");
+    app.redraw();
+    app.frame(shell.now);
+    EXPECT_EQ(app.game()->report().unlit, 0);
+    drawAll();
+    EXPECT_TRUE(shell.last == before);
+}
+
 // What changes in between is in all of the picture.
 TEST_F(AppTest, BeginsTheFirstPictureAnewWhenSomethingChanges) {
     app.resize(640, 40);

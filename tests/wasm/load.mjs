@@ -94,7 +94,7 @@ export class Session {
   }
 
   start() {
-    this.module._slicecast_start(this.address);
+    this.module._slicecast_start(this.address, 0);
     const { faults, warnings } = this.finish();
     this.warnings = warnings;
     return faults;

@@ -75,7 +75,8 @@ export class Engine {
 
   // Returns the scene's faults; an empty list means that it plays now. A scene with faults leaves
   // the running game alone. Returns null if another scene was requested meanwhile or `isWanted`
-  // returns false. With `keepEye` the player stays where they are, if the new scene has that place.
+  // returns false. With `keepEye` the player stays where they are, if the new scene has that
+  // place, and light is shown as it was until it is made anew.
   // `onProgress` gets the loaded share, 0 to 1, and the number of bytes. Afterwards `warnings`
   // lists probable mistakes in the scene.
   loadScene(source, how = {}) {
@@ -91,7 +92,7 @@ export class Engine {
     await loading.supplyFiles(names.files, source, onProgress);
     if (!isLatest()) return null;
     const eye = keepEye ? this.state : null;
-    const result = await loading.start(onProgress);
+    const result = await loading.start(onProgress, keepEye);
     if (result === null) return null;
     const { faults, warnings } = result;
     this.warnings = warnings;
@@ -608,8 +609,8 @@ class SceneLoading {
 
   // The world: {faults, warnings}. A file that could not be read becomes a fault at the place that
   // names it.
-  async start(onProgress = () => {}) {
-    this.#module._slicecast_start(this.#session);
+  async start(onProgress = () => {}, keepsLight = false) {
+    this.#module._slicecast_start(this.#session, keepsLight ? 1 : 0);
     const result = await this.#finish((share) =>
       onProgress(kTextShare + kFilesShare + share * (1 - kTextShare - kFilesShare), this.#bytes),
     );
