@@ -109,6 +109,50 @@ test('box makes solid, hollow and open boxes; the wheel sets the height', () => 
   }
 });
 
+test('a box past the map is clipped to it, shown so, and words say why', () => {
+  const { editor, rows } = opened('box');
+  const most = () => Math.max(...editor.marks.flatMap(({ from, to }) => [...from, ...to]));
+  editor.choose({ sign: 'w', way: 'walls' });
+  editor.press(floor(2, 1));
+  editor.point(floor(9, 4));
+  assert.equal(most(), 6);
+  assert.match(editor.about, /^The map ends here\. .*Size/);
+  editor.release();
+  assert.deepEqual(rows().slice(1, 5), ['#.wwww', '#.ww.w', '#.ww.w', '#.wwww'], 'with all walls');
+  editor.point(floor(1, 3));
+  assert.match(editor.about, /^Drag from corner/);
+  for (const tool of ['place', 'line', 'fill', 'select']) {
+    editor.choose({ tool: modules[tool] });
+    editor.point(floor(9, 4));
+    assert.match(editor.about, /^The map ends here/, tool);
+    assert.deepEqual(editor.marks, [], tool);
+  }
+  editor.point(at(1, 1, { level: 31 }));
+  editor.choose({ tool: modules.place });
+  assert.match(editor.about, /level 31/);
+});
+
+test('what a click would choose is named', () => {
+  const { editor, scene, history } = opened('thing');
+  history.do('Lamp', [
+    {
+      path: ['maps', 0, 'baked'],
+      value: { lamps: [{ x: 2.5, y: 1.5, z: 1, colour: '#ffffff', radius: 3 }] },
+    },
+    { path: ['maps', 0, 'messages'], value: [{ text: 'A long text '.repeat(9), x: 1, y: 1 }] },
+  ]);
+  const edited = ['maps', 0, 'baked', 'lamps', 0];
+  editor.choose({ edited });
+  for (const { path } of modules.handlesOf(scene, 0, edited)) {
+    editor.point({ ...floor(1, 1), thing: path });
+    assert.match(
+      editor.about,
+      /^(Lamp|Start of|Message: A long text|Reach)[^.]*\. .*Drag/,
+      String(path),
+    );
+  }
+});
+
 test('fill takes what is joined and alike, replace the whole map', () => {
   const filled = opened('fill');
   filled.editor.choose({ sign: 'w' });

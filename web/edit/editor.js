@@ -231,7 +231,14 @@ export class Editor {
   // What the tool does, in words.
   get about() {
     const { tool } = this;
-    return tool.help?.(this.#context) ?? tool.about;
+    return this.hint ?? tool.help?.(this.#context) ?? tool.about;
+  }
+
+  // Words for what is pointed at; undefined if there are none.
+  get hint() {
+    const stroke = this.#stroke ?? { targets: [this.#target], removes: false, height: 0 };
+    if (stroke.targets.at(-1) === null) return undefined;
+    return this.tool.hint?.(stroke, this.#context);
   }
 
   // Notches of the wheel, up positive. False if the tool has no use for them.

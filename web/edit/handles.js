@@ -6,6 +6,7 @@
 //     dragChanges(scene, path, target)           // puts it where the pointer is
 //     turnChanges(scene, path, notches)          // null: the wheel has no use there
 //     removeChanges(scene, path)   copyOf(scene, path)
+//     wordsOf(scene, 0, path, edited)            // what it is and does
 //     formPathOf(path)                           // of the value whose form is shown
 
 import { isInside } from './cells.js';
@@ -39,6 +40,35 @@ export function handlesOf(scene, map, edited) {
     ...wayPoints(value, map),
     ...areas(value, map),
   ];
+}
+
+// How each kind is called, and what one does with it.
+const kMoves = 'Drag moves it, Delete removes it.';
+const kTurns = 'Drag moves it, the wheel turns it, Delete removes it.';
+const kAbout = {
+  object: ({ sprite, find }) => [find === undefined ? sprite : `Find: ${sprite}`, kTurns],
+  lamp: () => ['Lamp', 'Drag moves it, the wheel raises and lowers it, Delete removes it.'],
+  start: () => ['Start of the player', 'Drag moves it, the wheel turns it.'],
+  place: (_, path) => [`Place "${path.at(-1)}"`, 'Drag moves it.'],
+  portal: (_, path) => [path.at(-1) === 'to' ? 'Far end of a portal' : 'Portal', kMoves],
+  way: () => ['Point of a way', kMoves],
+  message: ({ text }) => [`Message: ${shortened(text)}`, kMoves],
+  goal: () => ['Goal: the game ends here', kMoves],
+  radius: () => ['Reach of the lamp', 'Drag changes it.'],
+  heading: () => ['Where it faces', 'Drag turns it.'],
+  corner: () => ['Corner of the tiles', 'Drag makes them more or fewer.'],
+};
+const kLongest = 40; // characters of a message
+
+const shortened = (text) =>
+  text.length > kLongest ? `${text.slice(0, kLongest).trimEnd()} …` : text;
+
+export function wordsOf(scene, map, path, edited) {
+  const handle = handlesOf(scene, map, edited).find((one) => String(one.path) === String(path));
+  if (handle === undefined) return undefined;
+  const kind = path.at(-1) === 'width' ? 'corner' : handle.kind;
+  const [name, acts] = kAbout[kind](valueAt(scene.value, path) ?? {}, path);
+  return `${name[0].toUpperCase()}${name.slice(1)}. ${acts}`;
 }
 
 function portalEnds(value, map) {

@@ -27,7 +27,7 @@ import { Pictures } from './pictures.js';
 import { PictureView } from './picture-view.js';
 import { PlanView } from './plan-view.js';
 import { Problems } from './problems.js';
-import { sizeOf } from './cells.js';
+import { isInside, sizeOf } from './cells.js';
 import { textureOf } from './shapes.js';
 import { Selecting } from './selecting.js';
 import { knowShipped } from './files/shipped.js';
@@ -281,7 +281,6 @@ showChoice();
 function showChoice() {
   for (const button of byId('tools').children)
     button.setAttribute('aria-pressed', String(button.dataset.tool === editor.tool.name));
-  byId('about').textContent = editor.about;
   byId('level').textContent = String(editor.level);
   byId('section').textContent = side.name;
   showMaps();
@@ -302,10 +301,12 @@ function showWhere() {
   const { target, map } = editor;
   const { width, depth, levels } = sizeOf(scene, map);
   const at = target?.cell ?? target?.before ?? null;
-  byId('where').textContent =
-    at === null
-      ? `${width} × ${depth} tiles, ${levels} ${levels === 1 ? 'level' : 'levels'}`
-      : `x ${at.x}, y ${at.y}, level ${at.level}`;
+  const isIn = at !== null && isInside(scene, map, at);
+  byId('about').textContent = editor.about;
+  byId('about').toggleAttribute('data-hint', editor.hint !== undefined);
+  byId('where').textContent = !isIn
+    ? `${width} × ${depth} tiles, ${levels} ${levels === 1 ? 'level' : 'levels'}`
+    : `x ${at.x}, y ${at.y}, level ${at.level}`;
 }
 
 byId('map').addEventListener('change', ({ target }) => {

@@ -7,7 +7,9 @@
 // The left button works, the right one removes, or turns the eye when it is dragged; the middle
 // one, or Alt, picks. One finger works, two fingers turn and fly.
 
+import { sizeOf } from './cells.js';
 import { handlesOf } from './handles.js';
+import { edgeLines } from './mark-lines.js';
 import { valueAt } from './things.js';
 
 const kSlack = 4; // CSS pixels that a click may move
@@ -101,6 +103,7 @@ export class PictureView {
   // Where the pointer is, once more: the world has changed under it.
   refresh() {
     this.#marked = ''; // another world has no marks
+    this.#mark();
     this.#ask();
   }
 
@@ -299,7 +302,9 @@ export class PictureView {
   #mark() {
     if (!this.isOn || this.#caster.world === null) return;
     const maps = this.#caster.world.maps.map(({ name }) => name);
-    const lines = this.#editor.marks.filter(({ map }) => maps.includes(map));
+    const { scene, map, mapName, marks } = this.#editor;
+    const all = [...edgeLines(mapName, sizeOf(scene, map)), ...marks];
+    const lines = all.filter(({ map }) => maps.includes(map));
     const said = JSON.stringify(lines);
     if (said === this.#marked) return;
     this.#marked = said;

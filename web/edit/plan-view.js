@@ -20,6 +20,7 @@ import { textureOfTile } from './tiles.js';
 const kMostScale = 96; // CSS pixels a tile
 const kGridFrom = 7; // from this scale on there are lines between tiles
 const kBelow = 0.38; // of what a level below shows through
+const kInside = 0.05; // units from the edge of the map, at least, in a stroke
 const kNear = 10; // CSS pixels from the middle of a thing
 
 const kArrows = { ArrowUp: [0, -1], ArrowRight: [1, 0], ArrowDown: [0, 1], ArrowLeft: [-1, 0] };
@@ -88,7 +89,9 @@ export class PlanView extends CanvasView {
 
   // In the plan a block is placed where one points, and replaces what stands there.
   find([x, y]) {
-    const { scene, map, mapName, level } = this.editor;
+    const { scene, map, mapName, level, stroke } = this.editor;
+    // A stroke goes on to the edge of the map.
+    if (stroke !== null) [x, y] = this.#within([x, y]);
     const at = { level, x: Math.floor(x), y: Math.floor(y) };
     if (!isInside(scene, map, at)) return null;
     return {
@@ -101,6 +104,12 @@ export class PlanView extends CanvasView {
       thing: this.editor.tool.hasThings ? this.#thingNear(x, y) : null,
       view: 'plan',
     };
+  }
+
+  #within([x, y]) {
+    const { width, depth } = this.#size;
+    const limit = (at, end) => Math.max(kInside, Math.min(end - kInside, at));
+    return [limit(x, width), limit(y, depth)];
   }
 
   #thingNear(x, y) {

@@ -1,17 +1,18 @@
 // A box of blocks from one corner to the other: solid, hollow, or only its walls. The wheel sets
 // the height. Takes targets; gives changes and lines to show. Knows no view.
 
-import { cellChanges, kEmpty, kMostLevels } from '../cells.js';
-import { boxLines, boxOf, cellLines, kBrass, kCoral } from '../mark-lines.js';
-import { boxOfCells, cellsIn } from './strokes.js';
+import { cellChanges, clipped, kEmpty } from '../cells.js';
+import { boxLines, boxOf, kBrass, kCoral } from '../mark-lines.js';
+import { boxOfCells, cellMarks, cellsIn, edgeHint, placesOf } from './strokes.js';
 
-const cornersOf = ({ targets, removes, height }) => {
-  const places = targets.map(({ cell, before }) => (removes ? cell : before)).filter(Boolean);
+// Within the map.
+function cornersOf(stroke, { scene }) {
+  const places = placesOf(stroke);
   if (places.length === 0) return null;
   const to = places.at(-1);
-  const level = Math.max(0, Math.min(kMostLevels - 1, to.level + height));
-  return boxOfCells(places[0], { ...to, level });
-};
+  const box = boxOfCells(places[0], { ...to, level: to.level + stroke.height });
+  return clipped(scene, stroke.targets[0].map, box);
+}
 
 export const box = {
   name: 'box',
@@ -20,15 +21,13 @@ export const box = {
   about: 'Drag from corner to corner. The wheel sets the height. O: solid, hollow or walls.',
   ways: ['solid', 'hollow', 'walls'],
   hasCorners: () => true,
+  hint: edgeHint,
 
-  point({ mapName, cell, before }, { removes }) {
-    const at = removes ? cell : before;
-    return at === null ? [] : cellLines(mapName, at, removes ? kCoral : kBrass);
-  },
+  point: cellMarks,
 
   // Lines while it is dragged.
-  show(stroke) {
-    const corners = cornersOf(stroke);
+  show(stroke, context) {
+    const corners = cornersOf(stroke, context);
     if (corners === null) return [];
     const { west, north, low } = boxOf(corners.from);
     const { east, south, high } = boxOf(corners.to);
@@ -36,8 +35,9 @@ export const box = {
     return boxLines(stroke.targets[0].mapName, { west, north, low, east, south, high }, colour);
   },
 
-  end(stroke, { scene, sign, way }) {
-    const corners = cornersOf(stroke);
+  end(stroke, context) {
+    const { scene, sign, way } = context;
+    const corners = cornersOf(stroke, context);
     if (corners === null) return [];
     return cellChanges(
       scene,

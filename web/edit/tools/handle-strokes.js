@@ -1,12 +1,21 @@
-// What tools do with the handles of things and links: mark, drag, turn and remove them.
+// What tools do with the handles of things and links: name, mark, drag, turn and remove them.
 // Takes targets; gives changes and lines to show. Knows no view.
 
-import { dragChanges, handlesOf, removeChanges, turnChanges } from '../handles.js';
+import { isInside, kEdgeWords } from '../cells.js';
+import { dragChanges, handlesOf, removeChanges, turnChanges, wordsOf } from '../handles.js';
 import { kBrass, kCoral, kSea } from '../mark-lines.js';
 
 const kSpan = 0.12; // of the marks of what is not seen, units
 
 const isSame = (path, other) => other !== null && String(path) === String(other);
+
+// What is pointed at, in words.
+export function thingHint({ targets }, { scene, edited }) {
+  const { map, thing: found, point } = targets.at(-1);
+  if (found !== null) return wordsOf(scene, map, found, edited);
+  const isOut = point !== null && !isInside(scene, map, { x: point[0], y: point[1] });
+  return isOut ? kEdgeWords : undefined;
+}
 
 // Objects are seen; all else gets a cross.
 export function handleMarks({ map, mapName, point, thing: found }, { scene, edited, removes }) {

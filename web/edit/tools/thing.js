@@ -5,7 +5,7 @@ import { areaChanges, tilesOf } from '../areas.js';
 import { isInside } from '../cells.js';
 import { kFinds, spriteFor } from '../finds.js';
 import { moveChanges, valueAt } from '../things.js';
-import { dragHandle, handleMarks, removeHandle, turnHandle } from './handle-strokes.js';
+import { dragHandle, handleMarks, removeHandle, thingHint, turnHandle } from './handle-strokes.js';
 
 const kLampHeight = 0.8; // over the ground
 const kLamp = { colour: '#ffd9a0', radius: 5 };
@@ -18,6 +18,7 @@ export const thing = {
   isFree: true,
   hasThings: true,
 
+  hint: thingHint,
   point: handleMarks,
   drag: dragHandle,
   turn: turnHandle,
