@@ -6,7 +6,7 @@
 //     editor.point(target);                       // the pointer is there; null: nowhere
 //     editor.press(target, { removes: false });   // a stroke begins, goes on by point()
 //     editor.release();
-//     editor.listen((what, words) => ...);        // 'choice', 'marks', 'words' for the user
+//     editor.listen((what, more) => ...);         // 'choice' and which, 'marks', 'words' to show
 //
 // A target is {map, mapName, cell, before, face, point, thing}, where each may be null but the
 // first two: the cell that is pointed at; the free cell before its face, where a block would be
@@ -69,7 +69,7 @@ export class Editor {
     if ((this.tool !== tool || this.way !== way) && choice.pending === undefined)
       this.pending = null;
     this.#check();
-    this.#tell('choice');
+    this.#tell('choice', choice);
     this.#tell('marks');
   }
 
@@ -322,8 +322,8 @@ export class Editor {
       this.texture = Object.keys(tableOf(value, 'textures'))[0] ?? null;
   }
 
-  #tell(what, words) {
-    for (const listener of this.#listeners) listener(what, words);
+  #tell(what, more) {
+    for (const listener of this.#listeners) listener(what, more);
   }
 }
 

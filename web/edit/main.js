@@ -270,21 +270,21 @@ byId('tools').append(
 new ToolWays(byId('ways'), editor);
 byId('thing-copy').addEventListener('click', actions.duplicate);
 byId('thing-remove').addEventListener('click', () => editor.removeEdited());
-editor.listen((what, words) => {
-  if (what === 'words') toast(words);
-  else if (what === 'choice') showChoice();
+editor.listen((what, more) => {
+  if (what === 'words') toast(more);
+  else if (what === 'choice') showChoice(more);
   else showWhere();
 });
 scene.listen(({ isWhole }) => isWhole && showMaps());
 showChoice();
 
-function showChoice() {
+function showChoice(choice) {
   for (const button of byId('tools').children)
     button.setAttribute('aria-pressed', String(button.dataset.tool === editor.tool.name));
   byId('level').textContent = String(editor.level);
   byId('section').textContent = side.name;
   showMaps();
-  panel.show();
+  panel.show(choice);
   mapPanel.show();
   showWhere();
 }

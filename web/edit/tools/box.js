@@ -3,11 +3,11 @@
 
 import { cellChanges, clipped, kEmpty } from '../cells.js';
 import { boxLines, boxOf, kBrass, kCoral } from '../mark-lines.js';
-import { boxOfCells, cellMarks, cellsIn, edgeHint, placesOf } from './strokes.js';
+import { boxOfCells, cellMarks, cellsIn, edgeHint, placesIn } from './strokes.js';
 
 // Within the map.
 function cornersOf(stroke, { scene }) {
-  const places = placesOf(stroke);
+  const places = placesIn(stroke);
   if (places.length === 0) return null;
   const to = places.at(-1);
   const box = boxOfCells(places[0], { ...to, level: to.level + stroke.height });

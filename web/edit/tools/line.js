@@ -4,11 +4,11 @@
 import { cellChanges, isInside, kEmpty, kMostLevels } from '../cells.js';
 import { kBrass, kCoral, linesOf } from '../mark-lines.js';
 import { keyOf, outlineOf } from '../selection.js';
-import { cellMarks, edgeHint, lineOf, placesOf } from './strokes.js';
+import { cellMarks, edgeHint, lineOf, placesIn } from './strokes.js';
 
 // What lies outside the map is left out.
 function cellsOf(stroke, { scene }) {
-  const places = placesOf(stroke);
+  const places = placesIn(stroke);
   if (places.length === 0) return [];
   const to = places.at(-1);
   const level = Math.max(0, Math.min(kMostLevels - 1, to.level + stroke.height));

@@ -5,7 +5,7 @@ import { cellChanges, isInside, kEmpty } from '../cells.js';
 import { kindOf } from '../kinds.js';
 import { cellLines, faceLines, kBrass, kCoral } from '../mark-lines.js';
 import { extentOf } from '../shapes.js';
-import { edgeHint, lineOf, placesOf } from './strokes.js';
+import { edgeHint, lineOf, placesIn } from './strokes.js';
 
 export const place = {
   name: 'place',
@@ -30,7 +30,7 @@ export const place = {
 
   drag(stroke, { scene, sign }) {
     const { targets, removes } = stroke;
-    const places = placesOf(stroke);
+    const places = placesIn(stroke);
     const last = places.at(-1);
     if (last === undefined) return [];
     const cells = lineOf(places.at(-2) ?? last, last);

@@ -45,12 +45,14 @@ export const thing = {
       const at = before ?? cell;
       return areaChanges(scene, chosen, map, tilesOf({ from: at, to: at }));
     }
-    const added = (path, value, height, changes = []) => {
+    // Keys in the order of the shipped scenes.
+    const added = (path, { sprite, ...rest }, height, changes = []) => {
+      const first = sprite === undefined ? {} : { sprite };
       const at = [...path, (valueAt(scene.value, path) ?? []).length];
       const place = moveChanges(scene, at, { x, y, z: height });
       const where = Object.fromEntries(place.map((change) => [change.path.at(-1), change.value]));
       return {
-        changes: [...changes, { path: at, value: { ...value, x: 0, y: 0, ...where } }],
+        changes: [...changes, { path: at, value: { ...first, x: 0, y: 0, ...where, ...rest } }],
         edited: at,
       };
     };
