@@ -254,3 +254,55 @@ test('a pick of the picture becomes a target', () => {
   assert.equal(targetOf({ ...pick, point: null }, scene), null);
   assert.equal(targetOf({ ...pick, map: 'elsewhere' }, scene), null);
 });
+
+test('on the plan a thing keeps its height over the ground, also on steps and walls', () => {
+  const { scene, history, editor } = opened('thing');
+  const lamp = { x: 1.5, y: 1.5, z: 0.8, colour: '#ffffff', radius: 3 };
+  history.do('Put', [
+    { path: ['maps', 0, 'objects'], value: [{ sprite: 'tree', x: 1.5, y: 1.5, height: 1 }] },
+    { path: ['maps', 0, 'baked'], value: { lamps: [lamp] } },
+    ...modules.cellChanges(scene, 0, [{ layer: 1, x: 0, y: 3, sign: '#' }]),
+  ]);
+  const over = (thing, x, y) => ({
+    ...at(x, y),
+    point: [x + 0.5, y + 0.5, 0],
+    view: 'plan',
+    thing,
+  });
+  const heights = (path) => {
+    const z = () => path.reduce((node, key) => node[key], scene.value).z ?? 0;
+    editor.press(over(path, 1, 1));
+    const found = [
+      [2, 2],
+      [5, 2],
+      [0, 3],
+      [4, 4],
+    ].map((place) => {
+      editor.point(over(path, ...place));
+      return z();
+    });
+    editor.release();
+    return found;
+  };
+  assert.deepEqual(heights(['maps', 0, 'objects', 0]), [0.5, 1, 2, 0]);
+  assert.deepEqual(heights(['maps', 0, 'baked', 'lamps', 0]), [1.3, 1.8, 2.8, 0.8]);
+});
+
+test('the ground is the floor, a slope, or the top below a height', () => {
+  const { scene, history } = opened('place');
+  const slope = { top: [0, 1], rise: 'east', faces: 'grey' };
+  history.do('Put', [
+    { path: ['blueprints', 'slope'], value: slope },
+    { path: ['legend', '/'], value: 'slope' },
+    ...modules.cellChanges(scene, 0, [
+      { layer: 0, x: 3, y: 1, sign: '/' },
+      { layer: 2, x: 1, y: 1, sign: '#' },
+    ]),
+  ]);
+  const ground = (x, y, z) => modules.groundAt(scene, 0, { x, y, z });
+  assert.equal(ground(3.25, 1.5, 0), 0.25);
+  assert.deepEqual(
+    [0, 1.9, 2.5, 3, 9].map((z) => ground(1.5, 1.5, z)),
+    [0, 0, 3, 3, 3],
+  );
+});

@@ -92,6 +92,7 @@ const pictureView = new PictureView(caster, editor, camera);
 const colours = {
   of: colourOf,
   texture: (name) => pictures.meanOf(name),
+  sprite: (name) => pictures.spriteOf(name),
   floor: (map) => {
     const { floor } = scene.value.maps[map];
     const name = typeof floor === 'string' ? floor : floor?.texture;

@@ -3,6 +3,7 @@
 
 import { areaChanges, tilesOf } from '../areas.js';
 import { isInside } from '../cells.js';
+import { groundAt } from '../ground.js';
 import { kFinds, spriteFor } from '../finds.js';
 import { moveChanges, valueAt } from '../things.js';
 import { dragHandle, handleMarks, removeHandle, thingHint, turnHandle } from './handle-strokes.js';
@@ -25,12 +26,13 @@ export const thing = {
 
   end(stroke, context) {
     const { targets, removes } = stroke;
-    const [{ thing: found, map, mapName, point, before, cell, isExact = false }] = targets;
+    const [{ thing: found, map, mapName, point, before, cell, view, isExact = false }] = targets;
     const { scene, thing: chosen } = context;
     if (removes) return removeHandle(stroke, context);
     if (found !== null || targets.length > 1 || point === null) return [];
-    const [x, y, z] = point;
+    const [x, y] = point;
     if (!isInside(scene, map, { x, y })) return [];
+    const z = view === 'plan' ? groundAt(scene, map, { x, y, z: point[2] }) : point[2];
     if (chosen === 'start') {
       const isElsewhere = scene.value.start.map !== undefined || map !== 0;
       return {
