@@ -163,10 +163,19 @@ test('fill takes what is joined and alike, replace the whole map', () => {
   filled.editor.release();
   assert.equal(filled.rows()[0], '......');
   const replaced = opened('replace');
+  const said = [];
+  replaced.editor.listen((what, words) => what === 'words' && said.push(words));
   replaced.editor.choose({ sign: 'w' });
+  replaced.editor.point(at(0, 0));
+  assert.match(replaced.editor.about, /changes 20 blocks of "wall" .* into "low wall"/);
   replaced.editor.press(at(0, 0));
   replaced.editor.release();
   assert.deepEqual(replaced.rows(), ['wwwwww', 'w....w', 'w.ww.w', 'w.ww.w', 'w....w', 'wwwwww']);
+  replaced.editor.press(at(1, 1));
+  replaced.editor.release();
+  assert.equal(replaced.history.length, 1, 'nothing by a click on nothing');
+  assert.match(said[0], /^20 blocks of "wall" changed into "low wall"/);
+  assert.match(said[1], /^Click a block/);
 });
 
 test('paint gives a block a kind of its own, and finds one that looks so already', () => {
@@ -305,4 +314,34 @@ test('the ground is the floor, a slope, or the top below a height', () => {
     [0, 1.9, 2.5, 3, 9].map((z) => ground(1.5, 1.5, z)),
     [0, 0, 3, 3, 3],
   );
+});
+
+test('a pool has walls of the chosen block with water in them, a pond is in the floor', () => {
+  const { scene, history, editor, rows } = opened('box');
+  const before = scene.text;
+  const names = () => Object.fromEntries(kindsOf(scene, 0).map(({ sign, name }) => [sign, name]));
+  const name = (level, x, y) => names()[scene.sign(0, level, x, y)];
+  editor.choose({ sign: '#', way: 'pool' });
+  editor.press(floor(1, 1));
+  editor.point(floor(4, 4));
+  editor.turn(1);
+  editor.release();
+  assert.deepEqual([name(0, 1, 1), name(0, 2, 2)], ['wall', 'water below']);
+  assert.deepEqual([name(1, 1, 1), name(1, 2, 2)], ['wall up to 0.5', 'water']);
+  const { water, top } = scene.value.blueprints.water;
+  assert.ok(water && top < 0.5, 'below the rim');
+  history.undo();
+  editor.choose({ way: 'pond' });
+  editor.press(floor(1, 1));
+  editor.point(floor(2, 2));
+  editor.release();
+  const pond = scene.value.maps[0].floor;
+  assert.equal(pond.legend[pond.tiles[2][1]], pond.water);
+  assert.equal(rows()[2], '#..w.#', 'nothing stands in it');
+  editor.press(floor(1, 1), { removes: true });
+  editor.point(floor(2, 2));
+  editor.release();
+  assert.ok(scene.value.maps[0].floor.tiles.every((row) => row === '......'));
+  while (history.undo() !== null);
+  assert.equal(scene.text, before);
 });

@@ -28,7 +28,7 @@ import { PictureView } from './picture-view.js';
 import { PlanView } from './plan-view.js';
 import { Problems } from './problems.js';
 import { isInside, sizeOf } from './cells.js';
-import { textureOf } from './shapes.js';
+import { textureOf, waterOf } from './shapes.js';
 import { Selecting } from './selecting.js';
 import { knowShipped } from './files/shipped.js';
 import { SideView } from './side-view.js';
@@ -473,7 +473,7 @@ function start() {
 
 function colourOf(blueprint) {
   const name = textureOf(blueprint, 'top') ?? textureOf(blueprint, 'north');
-  return name === null ? null : pictures.meanOf(name);
+  return name === null ? waterOf(blueprint) : pictures.meanOf(name);
 }
 
 let toastTimer = 0;

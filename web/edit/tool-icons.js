@@ -16,6 +16,8 @@ const kIcons = {
   // Ways of tools
   solid: 'M3 3h10v10H3z',
   hollow: 'M2 2h12v12H2zM5 5v6h6V5z',
+  pool: 'M1 3h3v8h8V3h3v11H1zM5 6h2v1h2V6h2v4H5z',
+  pond: 'M1 5h3v2h3V5h3v2h3V5h2v3h-2v2h-3V8H7v2H4V8H1zM4 12h8v2H4z',
   walls: 'M2 2h3v12H2zM11 2h3v12h-3z',
   'what is pointed at': 'M7 1h2v4H7zM7 11h2v4H7zM1 7h4v2H1zM11 7h4v2h-4zM7 7h2v2H7z',
   floor: 'M1 11h14v3H1zM7 2h2v4h2L8 9 5 6h2z',
