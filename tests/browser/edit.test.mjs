@@ -6,7 +6,7 @@ import { Buffer } from 'node:buffer';
 import { readFileSync } from 'node:fs';
 import { createRequire } from 'node:module';
 import { after, before, test } from 'node:test';
-import { frames, launch } from './browser.mjs';
+import { frames, launch, openPage } from './browser.mjs';
 import {
   lookAt,
   openEditor as openTheEditor,
@@ -186,6 +186,75 @@ test('one walks where one stands, and goes on building', async (t) => {
   assert.ok((await told(page, () => window.slicecastEditor.caster.currentView)).y < start.y - 0.4);
   await page.keyboard.press('KeyW');
   assert.equal(await told(page, () => window.slicecastEditor.caster.entered), false);
+});
+
+test('before the scene has loaded, Walk waits and nothing fails', async (t) => {
+  let release;
+  const mayGo = new Promise((resolve) => (release = resolve));
+  const { page } = await openPage(t, browser, {
+    query: 'edit.html?template=meadow',
+    viewport: { width: 1366, height: 768 },
+    prepare: (opened) =>
+      opened.route('**/*.wasm', async (route) => {
+        await mayGo;
+        await route.continue();
+      }),
+  });
+  await page.waitForFunction(() => document.querySelector('#tools button') !== null);
+  assert.equal(await page.isDisabled('#walk'), true);
+  for (const key of ['Tab', 'Enter', 'Delete', 'KeyW', 'Escape']) await page.keyboard.press(key);
+  await page.mouse.click(500, 500);
+  await page.mouse.wheel(0, 100);
+  await page.keyboard.press('Tab');
+  assert.equal(await page.locator('body[data-walking]').count(), 0);
+  release();
+  await page.waitForFunction(() => document.body.dataset.state === 'ready');
+  await page.click('#walk');
+  await page.waitForFunction(() => window.slicecastEditor.caster.entered);
+});
+
+for (const way of ['Escape', 'Tab', 'the button'])
+  test(`one walks on the ground, looks ahead, sees no tool, and ${way} leads back`, async (t) => {
+    const { page } = await openEditor(t, '?template=house');
+    await lookAt(page, { x: 14, y: 22.5, z: 9, heading: 270, look: -1.2 });
+    await page.click('#walk');
+    await page.waitForFunction(() => window.slicecastEditor.caster.entered);
+    const { player } = await told(page, () => ({ player: window.slicecastEditor.caster.player }));
+    assert.deepEqual([player.x, player.y, player.feet, player.onGround], [14, 22.5, 0, true]);
+    assert.equal(player.look, 0);
+    for (const part of ['#tools', '#panel', '#blocks', '#about', '#views'])
+      assert.equal(await page.isVisible(part), false, part);
+    const { width, height } = await page.locator('#picture').boundingBox();
+    assert.deepEqual([width, height], [1366, 720]);
+    // Escape closes the list of keys first.
+    if (way === 'Escape') {
+      await page.keyboard.press('KeyH');
+      await page.waitForFunction(() => !window.slicecastEditor.caster.entered);
+      await page.keyboard.press('Escape');
+      assert.equal(await page.isVisible('#tools'), false);
+      await page.keyboard.press('Enter');
+      await page.waitForFunction(() => window.slicecastEditor.caster.entered);
+    }
+    if (way === 'the button') await page.click('button:text-is("Back to editing")');
+    else await page.keyboard.press(way);
+    await page.waitForFunction(() => window.slicecastEditor.caster.state === 'paused');
+    await settle(page);
+    assert.equal(await page.isVisible('#tools'), true);
+    assert.equal(await page.textContent('#walk'), 'Walk');
+    assert.equal(await told(page, () => window.slicecastEditor.caster.flying), true);
+  });
+
+test('by touch the thumbs are there at once, and one button leads back', async (t) => {
+  const { page } = await openEditor(t, '?template=house', {
+    viewport: { width: 820, height: 1180 },
+    context: { hasTouch: true, isMobile: true },
+  });
+  await page.tap('#walk');
+  await page.waitForSelector('#picture .stick');
+  assert.equal(await page.isVisible('#picture .leave'), false);
+  await page.tap('button:text-is("Back to editing")');
+  await page.waitForSelector('#picture .stick', { state: 'detached' });
+  assert.equal(await page.isVisible('#tools'), true);
 });
 
 test('what was built is there again, and a link brings it to others', async (t) => {

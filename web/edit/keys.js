@@ -1,6 +1,6 @@
 // The keys of the editor. Takes actions; knows no view and no document.
 //
-//     listenToKeys(actions, camera, tools, { isWalking() {} });
+//     listenToKeys(actions, camera, tools, { isWalking() {}, isSteering() {} });
 //     keyHelp(dialog, button, tools);
 
 const kGroups = [
@@ -44,7 +44,7 @@ const kGroups = [
       ['Shift', 'faster'],
       ['Right button, dragged', 'look around'],
       ['Wheel', 'ahead and back'],
-      ['Tab', 'walk, and back to building; Shift and Tab goes to the buttons'],
+      ['Tab', 'walk; Tab or Escape, back to editing; Shift and Tab goes to the buttons'],
     ],
   ],
   [
@@ -61,7 +61,7 @@ const kGroups = [
   ],
 ];
 
-export function listenToKeys(actions, camera, tools, { isWalking }) {
+export function listenToKeys(actions, camera, tools, { isWalking, isSteering }) {
   addEventListener(
     'keydown',
     (event) => {
@@ -78,17 +78,29 @@ export function listenToKeys(actions, camera, tools, { isWalking }) {
         actions.walk();
         return;
       }
-      if (isWalking()) return;
+      if (isWalking()) {
+        if (isSteering()) leaveByEscape(event);
+        return;
+      }
       if (!isFree(event.target) && !isUndoOfText(event)) return;
       if (take(event)) event.preventDefault();
     },
     true,
   );
+  // While nobody steers, the list of keys over the picture comes first.
+  addEventListener('keydown', (event) => isWalking() && leaveByEscape(event));
   addEventListener('keyup', ({ code, shiftKey }) => {
     camera.release(code);
     camera.isFast = shiftKey;
   });
   addEventListener('blur', () => camera.stop());
+
+  function leaveByEscape(event) {
+    if (event.code !== 'Escape' || event.defaultPrevented) return;
+    event.preventDefault();
+    event.stopPropagation();
+    actions.walk();
+  }
 
   function take(event) {
     const { code, key, ctrlKey, metaKey, altKey, shiftKey } = event;

@@ -14,6 +14,7 @@ import { SaveBar } from './files/save-bar.js';
 import { beginningOf, Saving } from './files/saving.js';
 import { shareDialog } from './files/share-dialog.js';
 import { keepOpened } from './files/world-store.js';
+import { isTouch } from './fingers.js';
 import { FlyCamera } from './fly-camera.js';
 import { History } from './history.js';
 import { keyHelp, listenToKeys } from './keys.js';
@@ -315,6 +316,7 @@ byId('map').addEventListener('change', ({ target }) => {
 
 async function lookAtMap() {
   await sync.settled(); // it may be a new one
+  if (caster.currentView === null) return;
   const { width, depth } = sizeOf(scene, editor.map);
   caster.look({ map: editor.mapName, x: width / 2, y: depth / 2, z: 4, flying: true });
   for (const view of Object.values(flat)) view.fit();
@@ -361,29 +363,43 @@ function flatView() {
 // ---- Walking
 
 async function walk(isOn) {
-  if (isOn === isWalking()) return;
+  if (isOn === isWalking() || caster.currentView === null) return;
+  document.body.toggleAttribute('data-walking', isOn);
+  byId('walk').textContent = isOn ? 'Back to editing' : 'Walk';
+  byId('walk').title = isOn ? 'Back to editing (Escape)' : 'Walk (Tab)';
+  byId('walking').hidden = !isOn;
+  pictureView.isOn = !isOn;
+  tour.look();
   if (isOn) {
+    editor.cancel();
     await showView('picture');
     await sync.settled();
-    document.body.setAttribute('data-walking', '');
-    byId('walking').hidden = false;
-    pictureView.isOn = false;
+    if (!isWalking()) return;
     caster.mark([]);
     caster.interaction = 'walk';
-    caster.land();
+    standOnGround();
     await new Promise(requestAnimationFrame); // the element takes attributes a moment later
-    caster.enter();
+    if (isWalking()) caster.enter({ touch: isTouch() });
   } else {
-    document.body.removeAttribute('data-walking');
-    byId('walking').hidden = true;
     caster.pause();
     caster.interaction = 'none';
     caster.flying = true;
-    pictureView.isOn = true;
     sync.renew();
   }
-  byId('walk').textContent = isOn ? 'Build' : 'Walk';
-  tour.look();
+}
+
+caster.addEventListener('enterchange', ({ detail }) =>
+  document.body.toggleAttribute('data-steering', detail.entered),
+);
+
+// Under the eye, without the time that a fall takes, and looking ahead: who builds looks down.
+function standOnGround() {
+  caster.land();
+  caster.look({ ...caster.currentView, look: 0 });
+  for (let z = Infinity; !caster.player.onGround && caster.player.z < z;) {
+    ({ z } = caster.player);
+    caster.step(12);
+  }
 }
 
 // ---- The first steps
@@ -438,7 +454,7 @@ openDialog(byId('files'), byId('open-files'), {
   },
 });
 keyHelp(byId('keys'), byId('open-keys'), kTools);
-listenToKeys(actions, camera, kTools, { isWalking });
+listenToKeys(actions, camera, kTools, { isWalking, isSteering: () => caster.entered });
 
 if (beginning.text !== world.text) toast('Your world is as you left it.');
 if (world.isStranger && before === null)
@@ -461,6 +477,7 @@ function start() {
   });
   caster.look({ ...view, z: view.z + 1.2, flying: true });
   document.body.dataset.state = 'ready';
+  byId('walk').disabled = false;
   tour.begin({ once: !new URL(location.href).searchParams.has('tour') });
   saveBar.settle();
   // For the browser's console, and for tests.

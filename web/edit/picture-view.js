@@ -228,18 +228,13 @@ export class PictureView {
   }
 
   #point() {
-    if (
-      !this.isOn ||
-      this.#press?.isTurning ||
-      this.#place === null ||
-      this.#caster.currentView === null
-    )
-      return;
+    if (!this.isOn || this.#press?.isTurning || this.#place === null) return;
     const target = this.#find(...this.#place);
     if (target !== null || this.#editor.stroke === null) this.#editor.point(target);
   }
 
   #find(clientX, clientY) {
+    if (this.#caster.currentView === null) return null;
     const { scene, stroke } = this.#editor;
     const lift = this.#press?.lift;
     if (stroke !== null && lift !== undefined)

@@ -7,10 +7,11 @@
 //
 // A step that speaks of a control puts data-told on it, for a ring around it.
 
+import { isTouch } from './fingers.js';
+
 const kSeen = 'slicecast edit tour';
 const kFar = 1.5; // units that one flies before it counts
 const kPause = 900; // milliseconds between a step that is done and the next
-const isTouch = () => matchMedia('(pointer: coarse)').matches;
 
 const kSteps = [
   {
@@ -39,8 +40,8 @@ const kSteps = [
     title: 'Walk in it',
     text: () =>
       isTouch()
-        ? 'Press Walk, above. You begin where you are; Build brings you back.'
-        : 'Press Walk, or Tab. You begin where you are; Tab again goes on building.',
+        ? 'Press Walk, above. You begin where you are; Back to editing ends it.'
+        : 'Press Walk, or Tab. You begin where you are; Escape brings you back.',
     ring: 'walk',
     isDone: ({ isWalking }) => isWalking(),
   },
