@@ -188,6 +188,46 @@ test('one walks where one stands, and goes on building', async (t) => {
   assert.equal(await told(page, () => window.slicecastEditor.caster.entered), false);
 });
 
+test('after a button was clicked Space rises; by keys alone it presses the button', async (t) => {
+  const { page } = await openEditor(t);
+  const height = () => told(page, () => window.slicecastEditor.caster.currentView.z);
+  const rises = async () => {
+    const before = await height();
+    await page.keyboard.down('Space');
+    await page.waitForFunction(
+      (z) => window.slicecastEditor.caster.currentView.z > z + 0.05,
+      before,
+    );
+    await page.keyboard.up('Space');
+  };
+  const tool = () => told(page, () => window.slicecastEditor.editor.tool.name);
+  for (const button of ['tool=box', 'way=walls', 'key="w"', 'view=picture']) {
+    await page.click(`[data-${button}]`);
+    await rises();
+  }
+  // From a dialog, and from a field of the panel by a press on the picture
+  await page.click('#open-keys');
+  await page.click('#keys [data-close]:text-is("Close")');
+  await rises();
+  await page.click('#title');
+  await page.mouse.click(...(await pointOf(page, 16.5, 17.5, 0)));
+  await rises();
+  assert.equal(await page.inputValue('#title'), 'A meadow');
+  await page.focus('[data-tool=paint]');
+  const before = await height();
+  await page.keyboard.press('Space');
+  assert.equal(await tool(), 'paint');
+  await page.keyboard.press('Shift+Tab');
+  await page.keyboard.press('Enter');
+  assert.equal(await tool(), 'replace');
+  assert.equal(await height(), before);
+  assert.equal(await told(page, () => document.activeElement.dataset.tool), 'replace');
+  // The mouse over the picture takes the keys again.
+  await page.mouse.move(700, 20);
+  await page.mouse.move(700, 400);
+  await rises();
+});
+
 test('before the scene has loaded, Walk waits and nothing fails', async (t) => {
   let release;
   const mayGo = new Promise((resolve) => (release = resolve));

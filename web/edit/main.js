@@ -360,6 +360,20 @@ function flatView() {
   return Object.entries(flat).find(([name]) => !byId(`${name}-view`).hidden)?.[1];
 }
 
+// Keys go to what is seen, so that Space flies: a button that a pointer pressed does not keep them,
+// nor any while the pointer is over a view. Who works by keys alone stays on the button.
+const kKeepsNoKeys = 'button, summary, a, input[type=checkbox]';
+function giveKeys() {
+  const { activeElement } = document;
+  if (!activeElement.matches(kKeepsNoKeys) || document.querySelector('dialog[open]') !== null)
+    return;
+  activeElement.blur();
+  flatView()?.canvas.focus({ preventScroll: true });
+}
+addEventListener('click', ({ detail }) => detail > 0 && giveKeys());
+for (const view of document.querySelectorAll('#picture, .flat'))
+  view.addEventListener('pointerenter', giveKeys);
+
 // ---- Walking
 
 async function walk(isOn) {
