@@ -488,6 +488,96 @@ for (const [name, viewport] of Object.entries({
   });
 }
 
+// What lies over the views, and over the picture while somebody walks
+const kOver = ['#select-bar', '#ways', '#tour', '.view-bar', '.legend', '#about', '#toast'];
+const kOfWalker = ['.status', '.stick', '.buttons', '.leave'];
+
+// Nothing of these covers another or leaves the views. The names of what is seen.
+const apart = (page, at) =>
+  told(
+    page,
+    ([over, ofWalker]) => {
+      const { shadowRoot } = document.getElementById('picture');
+      const all = [
+        ...over.flatMap((name) => [...document.querySelectorAll(name)].map((one) => [name, one])),
+        ...ofWalker.map((name) => [name, shadowRoot.querySelector(name)]),
+      ]
+        .filter(([, one]) => one?.checkVisibility({ visibilityProperty: true }))
+        .map(([name, one]) => [name, one.getBoundingClientRect()])
+        .filter(([, { width, height }]) => width > 1 && height > 1);
+      const meet = (one, other) =>
+        one.left < other.right &&
+        other.left < one.right &&
+        one.top < other.bottom &&
+        other.top < one.bottom;
+      const stage = document.getElementById('stage').getBoundingClientRect();
+      const wrong = all.flatMap(([name, box], index) =>
+        [
+          ...all.slice(index + 1).filter(([, other]) => meet(box, other)),
+          ...(box.left >= stage.left && box.right <= stage.right ? [] : [['#stage']]),
+          ...(box.top >= stage.top && box.bottom <= stage.bottom ? [] : [['#stage']]),
+        ].map(([other]) => `${name} and ${other}`),
+      );
+      return { seen: all.map(([name]) => name), wrong };
+    },
+    [kOver, kOfWalker],
+  ).then(({ seen, wrong }) => {
+    assert.deepEqual(wrong, [], at);
+    return seen;
+  });
+
+for (const [width, height, isTouch] of [
+  [360, 640, true],
+  [390, 844, true],
+  [820, 1180, true],
+  [844, 390, true],
+  [683, 384, false], // 1366 x 768 at 200 %
+  [960, 540, false], // 1920 x 1080 at 200 %
+  [1366, 768, false],
+  [2560, 1440, false],
+])
+  test(`nothing covers anything in a window of ${width} x ${height}`, async (t) => {
+    const { page } = await openEditor(t, '?template=garden&tour', {
+      viewport: { width, height },
+      context: { hasTouch: isTouch, isMobile: isTouch },
+    });
+    const press = (what) => (isTouch ? page.tap(what) : page.click(what));
+    const seen = new Set();
+    const look = async (at) => {
+      await frames(page, 1);
+      for (const name of await apart(page, at)) seen.add(name);
+    };
+    for (const hasTour of [true, false]) {
+      if (!hasTour) await press('#tour [data-skip]');
+      for (const view of ['picture', 'plan', 'side']) {
+        await press(`[data-view=${view}]`);
+        for (const tool of ['place', 'box', 'paint', 'link', 'select']) {
+          await press(`[data-tool=${tool}]`);
+          if (tool === 'select') await page.keyboard.press('Control+a');
+          await told(
+            page,
+            (words) => window.slicecastEditor.editor.say(words),
+            'Copied. '.repeat(6),
+          );
+          await look(`${view}, ${tool}, ${hasTour}`);
+        }
+      }
+    }
+    await press('#walk');
+    await page.waitForFunction(() => window.slicecastEditor.caster.entered);
+    await told(page, () => window.slicecastEditor.editor.say('Saved in this browser.'));
+    await look('walking');
+    for (const name of [
+      '#select-bar',
+      '#ways',
+      '#tour',
+      '.view-bar',
+      '#toast',
+      isTouch ? '.stick' : '.status',
+    ])
+      assert.ok(seen.has(name), `${name} was seen: ${[...seen]}`);
+  });
+
 test('four steps begin the first visit, each done by doing it, and never come again', async (t) => {
   const { page } = await openEditor(t, '?template=meadow', { prepare: async () => {} });
   const at = (count, title) =>

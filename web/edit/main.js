@@ -343,6 +343,7 @@ async function showView(name) {
   const isWide = matchMedia('(min-width: 1500px)').matches;
   byId('picture-view').hidden = name !== 'picture' && !isWide;
   for (const other of ['plan', 'side', 'text']) byId(`${other}-view`).hidden = other !== name;
+  for (const part of document.querySelectorAll('[data-of]')) part.hidden = part.dataset.of !== name;
   for (const button of document.querySelectorAll('[data-view]'))
     button.setAttribute('aria-pressed', String(button.dataset.view === name));
   if (name === 'text' && textView === null) {
