@@ -578,6 +578,70 @@ for (const [width, height, isTouch] of [
       assert.ok(seen.has(name), `${name} was seen: ${[...seen]}`);
   });
 
+test('a finger removes by the switch, and no words speak of mouse or keys to it', async (t) => {
+  const { page } = await openEditor(t, '?template=meadow&tour', {
+    viewport: { width: 390, height: 844 },
+    context: { hasTouch: true, isMobile: true },
+  });
+  const words = () =>
+    told(page, () =>
+      ['about', 'tour', 'toast', 'open-keys'].map((id) => document.getElementById(id).innerText),
+    );
+  const kOfOthers =
+    /click|wheel|button|\b(Keys|Shift|Escape|Enter|Delete|Tab|Ctrl|Alt|[A-Z]:)|\b[WSDOUI] /;
+  const speaksOfFingers = async () => assert.doesNotMatch((await words()).join('\n'), kOfOthers);
+  for (let step = 0; step < 4; ++step) {
+    await speaksOfFingers();
+    await page.tap('#tour [data-next]');
+  }
+  for (const tool of await page.locator('#tools button').all()) {
+    await tool.tap();
+    await speaksOfFingers();
+    for (const way of await page.locator('#ways [data-way]:visible').all()) {
+      await way.tap();
+      await speaksOfFingers();
+    }
+  }
+  await told(page, () =>
+    window.slicecastEditor.editor.say('Right click removes, a double click ends.'),
+  );
+  await speaksOfFingers();
+  await page.tap('#open-keys');
+  assert.equal(await page.isVisible('[data-keys=tables]'), false);
+  assert.match(await page.innerText('[data-keys=fingers]'), /Remove/);
+  await page.tap('#keys [data-close]:text-is("Close")');
+
+  await page.tap('[data-tool=place]');
+  await lookAt(page, { x: 16.5, y: 20.5, z: 1.6, heading: 270, look: -0.5 });
+  const tap = async (...place) => {
+    await page.touchscreen.tap(...(await pointOf(page, ...place)));
+    return (await rowsOf(page, 0))[17][16];
+  };
+  assert.match(await page.textContent('#about'), /Remove/);
+  assert.notEqual(await tap(16.5, 17.5, 0), '.');
+  await page.tap('#ways button:text-is("Remove")');
+  assert.equal(await tap(16.5, 18, 0.5), '.');
+  assert.equal(await tap(16.5, 17.5, 0), '.'); // there is nothing
+  await page.tap('#palette [data-digit="2"]');
+  assert.notEqual(await tap(16.5, 17.5, 0), '.');
+  await page.tap('#ways button:text-is("Remove")');
+  await page.tap('[data-view=plan]');
+  await frames(page);
+  const box = await page.locator('#plan').boundingBox();
+  await page.touchscreen.tap(
+    box.x + box.width * (0.5 + 0.5 / 34),
+    box.y + box.height / 2 + box.width * (1.5 / 34),
+  );
+  assert.equal((await rowsOf(page, 0))[17][16], '.');
+
+  // With a mouse the words are the others, and nothing needs the switch.
+  await page.mouse.click(200, 20);
+  assert.match((await words()).join('\n'), /Right click[^]*Keys/);
+  await page.tap('[data-tool=box]');
+  await page.mouse.click(200, 20);
+  assert.equal(await page.isVisible('#ways button:text-is("Remove")'), false);
+});
+
 test('four steps begin the first visit, each done by doing it, and never come again', async (t) => {
   const { page } = await openEditor(t, '?template=meadow', { prepare: async () => {} });
   const at = (count, title) =>

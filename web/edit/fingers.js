@@ -11,7 +11,7 @@ let isFinger = false;
 export const isTouch = () => isFinger;
 export const listenToFingers = (listener) => listeners.push(listener);
 
-const kWords = { 'right click': 'tap with Remove', 'double click': 'double tap', click: 'tap' };
+const kWords = { 'right click': 'a tap with Remove', 'double click': 'double tap', click: 'tap' };
 const capital = (word) => word[0].toUpperCase() + word.slice(1);
 
 export function inTouch(text) {

@@ -14,7 +14,7 @@ import { SaveBar } from './files/save-bar.js';
 import { beginningOf, Saving } from './files/saving.js';
 import { shareDialog } from './files/share-dialog.js';
 import { keepOpened } from './files/world-store.js';
-import { isTouch } from './fingers.js';
+import { inTouch, isTouch, listenToFingers } from './fingers.js';
 import { FlyCamera } from './fly-camera.js';
 import { History } from './history.js';
 import { keyHelp, listenToKeys } from './keys.js';
@@ -70,6 +70,8 @@ const own = new Map(before?.pictures); // the world's own pictures: file -> byte
 const history = new History(scene);
 const editor = new Editor(scene, history, place);
 editor.world = world.name;
+editor.isTouch = isTouch();
+listenToFingers((byFinger) => editor.choose({ isTouch: byFinger }));
 const pictures = new Pictures(scene, (file) => readPicture(own, file, world));
 const camera = new FlyCamera(caster);
 let textView = null;
@@ -282,7 +284,7 @@ showChoice();
 function showChoice() {
   for (const button of byId('tools').children)
     button.setAttribute('aria-pressed', String(button.dataset.tool === editor.tool.name));
-  byId('about').textContent = editor.about;
+  byId('about').textContent = inTouch(editor.about);
   byId('level').textContent = String(editor.level);
   byId('section').textContent = side.name;
   showMaps();
@@ -509,7 +511,7 @@ function colourOf(blueprint) {
 let toastTimer = 0;
 function toast(text) {
   const line = byId('toast');
-  line.textContent = text;
+  line.textContent = inTouch(text);
   line.classList.add('shown');
   clearTimeout(toastTimer);
   toastTimer = setTimeout(() => line.classList.remove('shown'), 3500);

@@ -125,7 +125,7 @@ export class PictureView {
       this.#editor.pick(target);
       return;
     }
-    this.#begin(target, event.ctrlKey);
+    this.#begin(target, event.ctrlKey || this.#editor.removes);
   }
 
   #begin(target, removes) {
@@ -142,7 +142,7 @@ export class PictureView {
     const [here, above] = [z, z + 1].map((height) => this.#caster.project(x, y, height, mapName));
     if (here === null || above === null) return false;
     this.#press.lift = { z, perUnit: above.clientY - here.clientY, from: this.#press.y };
-    this.#editor.press(target);
+    this.#editor.press(target, { removes: false });
     return true;
   }
 

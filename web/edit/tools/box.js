@@ -18,6 +18,8 @@ export const box = {
   label: 'Box',
   key: 'X',
   about: 'Drag from corner to corner. The wheel sets the height. O: solid, hollow or walls.',
+  touch: 'Drag from corner to corner, over the ground or up a wall.',
+  canRemove: true,
   ways: ['solid', 'hollow', 'walls'],
   hasCorners: () => true,
 

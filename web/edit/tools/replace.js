@@ -9,6 +9,8 @@ export const replace = {
   label: 'Replace',
   key: 'R',
   about: 'Changes all blocks of the pointed kind in this map into the chosen one.',
+  touch: 'Tap a block: all of its kind in this map become the chosen one.',
+  canRemove: true,
 
   point({ mapName, cell }, { removes }) {
     return cell === null ? [] : cellLines(mapName, cell, removes ? kCoral : kBrass);
