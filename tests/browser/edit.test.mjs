@@ -144,7 +144,7 @@ test('the text is the same document: typing changes the world, faults leave it',
   await page.keyboard.press('Control+z');
   assert.equal((await textOf(page))[0], '{');
   await page.keyboard.press('Control+y');
-  await replaceText('"floor": "grass"', '"floor": "gras"');
+  await replaceText('"floor": "grass-meadow"', '"floor": "gras"');
   await page.waitForSelector('#problems:not([hidden])');
   assert.match(await page.textContent('#problems li'), /found the name "gras"/);
   await page.click('#problems li button');
