@@ -25,6 +25,7 @@ import { pictureOf } from './files/shipped.js';
 import { tableOf } from './names.js';
 import { valueAt } from './things.js';
 
+const kMaterials = ['sign', 'texture', 'thing']; // who chooses one wants to put it
 let strokes = 0;
 
 export class Editor {
@@ -44,6 +45,8 @@ export class Editor {
   section = null; // {axis, at} of the side view, while it is in use; see section.js
   isWhole = false; // Shift is held
   selection = null; // {map, cells}: what is selected, see selection.js
+  removes = false; // what is pressed, also with the left button or a finger
+  isTouch = false; // somebody works by finger
   adds = false; // to what is selected, also without Shift
   brush = null; // {part, turn, name}: what is pasted, see parts.js
   world = ''; // under which name the world is kept
@@ -66,6 +69,8 @@ export class Editor {
   choose(choice) {
     const { tool, way } = this;
     Object.assign(this, choice);
+    if (this.tool !== tool || kMaterials.some((name) => choice[name] !== undefined))
+      this.removes = false;
     if ((this.tool !== tool || this.way !== way) && choice.pending === undefined)
       this.pending = null;
     this.#check();
@@ -160,7 +165,7 @@ export class Editor {
     this.#tell('marks');
   }
 
-  press(target, { removes = false } = {}) {
+  press(target, { removes = this.removes } = {}) {
     strokes += 1;
     const adds = this.isWhole || this.adds;
     this.#stroke = { key: `stroke ${strokes}`, targets: [target], removes, adds, height: 0 };
@@ -230,8 +235,9 @@ export class Editor {
 
   // What the tool does, in words.
   get about() {
-    const { tool } = this;
-    return this.hint ?? tool.help?.(this.#context) ?? tool.about;
+    const { tool, isTouch } = this;
+    const usual = (isTouch && tool.touch) || tool.about;
+    return this.hint ?? tool.help?.(this.#context) ?? usual;
   }
 
   // Words for what is pointed at; undefined if there are none.
@@ -268,7 +274,7 @@ export class Editor {
   get #context() {
     const { scene, sign, texture, thing, way, isWhole, selection, brush, world } = this;
     const { links, edited, pending } = this;
-    const removes = this.#stroke?.removes ?? false;
+    const removes = this.#stroke?.removes ?? this.removes;
     return {
       ...{ scene, sign, texture, thing, way, isWhole, selection, brush, world },
       ...{ links, edited, pending, removes },

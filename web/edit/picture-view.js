@@ -128,7 +128,7 @@ export class PictureView {
       this.#editor.pick(target);
       return;
     }
-    this.#begin(target, event.ctrlKey);
+    this.#begin(target, event.ctrlKey || this.#editor.removes);
   }
 
   #begin(target, removes) {
@@ -145,7 +145,7 @@ export class PictureView {
     const [here, above] = [z, z + 1].map((height) => this.#caster.project(x, y, height, mapName));
     if (here === null || above === null) return false;
     this.#press.lift = { z, perUnit: above.clientY - here.clientY, from: this.#press.y };
-    this.#editor.press(target);
+    this.#editor.press(target, { removes: false });
     return true;
   }
 
@@ -231,18 +231,13 @@ export class PictureView {
   }
 
   #point() {
-    if (
-      !this.isOn ||
-      this.#press?.isTurning ||
-      this.#place === null ||
-      this.#caster.currentView === null
-    )
-      return;
+    if (!this.isOn || this.#press?.isTurning || this.#place === null) return;
     const target = this.#find(...this.#place);
     if (target !== null || this.#editor.stroke === null) this.#editor.point(target);
   }
 
   #find(clientX, clientY) {
+    if (this.#caster.currentView === null) return null;
     const { scene, stroke } = this.#editor;
     const lift = this.#press?.lift;
     if (stroke !== null && lift !== undefined)

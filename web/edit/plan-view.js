@@ -42,7 +42,7 @@ export class PlanView extends CanvasView {
     super(canvas, editor, kMostScale);
     this.#colours = colours;
     this.#caster = caster;
-    this.#links = new PlanLinks(canvas.parentElement.querySelector('.legend'));
+    this.#links = new PlanLinks(document.querySelector('.legend'));
     editor.scene.listen(({ cells, isWhole }) => {
       if (isWhole) this.#version += 1;
       else for (const { map, layer } of cells) this.#images.delete(`${map} ${layer}`);

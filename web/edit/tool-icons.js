@@ -13,6 +13,7 @@ const kIcons = {
   thing: 'M7 9h2v6H7zM5 1h6v2h2v4h-2v2H5V7H3V3h2z',
   shape: 'M7 2h2v2h2v2H9v4h2v2H9v2H7v-2H5v-2h2V6H5V4h2z',
   link: 'M2 6h5v2H4v2h3v2H2zM9 6h5v6H9v-2h3V8H9zM6 8h4v2H6zM7 2h2v2H7z',
+  removes: 'M2 3h2l4 4 4-4h2v2l-4 3 4 4v2h-2l-4-4-4 4H2v-2l4-4-4-3z',
   // Ways of tools
   solid: 'M3 3h10v10H3z',
   hollow: 'M2 2h12v12H2zM5 5v6h6V5z',

@@ -24,6 +24,8 @@ export const box = {
   label: 'Box',
   key: 'X',
   about: 'Drag from corner to corner. The wheel sets the height. O: solid, hollow, walls or water.',
+  touch: 'Drag from corner to corner, over the ground or up a wall.',
+  canRemove: true,
   ways: ['solid', 'hollow', 'walls', 'pool', 'pond'],
   waysAbout: {
     pool: 'Water within walls of the chosen block',

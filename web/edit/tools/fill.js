@@ -9,6 +9,7 @@ export const fill = {
   label: 'Fill',
   key: 'F',
   about: 'Fills the cells of a level that are joined and alike.',
+  canRemove: true,
 
   hint: edgeHint,
 

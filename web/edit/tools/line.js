@@ -21,6 +21,8 @@ export const line = {
   label: 'Line',
   key: 'L',
   about: 'Drag from end to end. The wheel lifts the second end.',
+  touch: 'Drag from end to end.',
+  canRemove: true,
   hasCorners: () => true,
   hint: edgeHint,
 

@@ -26,14 +26,14 @@ const kSamePlace = 0.25; // units between two clicks that end a way
 const kHelp = {
   portal: 'Click a face or a tile, then the other end, also in another map.',
   gate: 'Click a block to make it a gate, then a thing that opens it or another gate.',
-  way: 'Click a figure or a block, then where it goes; Enter or a double click ends.',
+  way: 'Click a figure or a block, then where it goes; Done or a double click ends.',
   message: 'Drag over the tiles where the message comes.',
   goal: 'Drag over the tiles where the game ends.',
 };
 const kNext = {
-  portal: 'Now click the other end. Escape leaves it.',
+  portal: 'Now click the other end. Another tool leaves it.',
   gate: 'Now click what opens it: a thing to find, or a gate. The floor: whoever walks up to it.',
-  way: 'Click where it goes next. Enter or a double click ends, right click removes a point.',
+  way: 'Click where it goes next. Done or a double click ends, right click removes a point.',
   mover: 'Now click how far it moves.',
 };
 
@@ -42,6 +42,8 @@ export const link = {
   label: 'Links',
   key: 'Y',
   about: 'Portals, gates, ways, messages and the goal. O chooses which.',
+  touch: 'Portals, gates, ways, messages and the goal.',
+  canRemove: true,
   ways: ['portal', 'gate', 'way', 'message', 'goal'],
   waysAbout: kHelp,
   isFree: true,

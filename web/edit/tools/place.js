@@ -12,6 +12,8 @@ export const place = {
   label: 'Place',
   key: 'B',
   about: 'Click puts the block against a face. Right click or Delete removes.',
+  touch: 'Tap where the block is to stand, drag for a row. To take blocks away, choose Remove.',
+  canRemove: true,
 
   hint: edgeHint,
 

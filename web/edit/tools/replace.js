@@ -10,6 +10,8 @@ export const replace = {
   label: 'Replace',
   key: 'R',
   about: 'Changes all blocks of the pointed kind in this map into the chosen one.',
+  touch: 'Tap a block: all of its kind in this map become the chosen one.',
+  canRemove: true,
 
   // How many it would change.
   hint({ targets, removes }, { scene, sign }) {

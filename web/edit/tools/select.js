@@ -31,6 +31,7 @@ export const select = {
   key: 'M',
   about:
     'Drag a box; the wheel adds levels. Drag what is selected to move it. O: box, kind, joined.',
+  touch: 'Drag a box. Drag what is selected to move it.',
   ways: ['box', 'same kind', 'joined'],
   hasSelection: true,
   hasCorners: (way) => way === 'box',

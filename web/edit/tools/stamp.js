@@ -11,6 +11,7 @@ export const stamp = {
   label: 'Stamp',
   key: 'K',
   about: 'Click puts the copied part or the chosen stamp. U turns it, I mirrors it, Escape ends.',
+  touch: 'Tap where the copied part or the chosen stamp is to stand.',
   hasStamps: true,
 
   hint({ targets }, { scene, brush }) {

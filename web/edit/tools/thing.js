@@ -16,6 +16,8 @@ export const thing = {
   label: 'Thing',
   key: 'T',
   about: 'Click puts the chosen thing. Drag one to move it, the wheel turns it, Delete removes it.',
+  touch: 'Tap where the chosen thing is to stand. Drag one to move it; the panel has the rest.',
+  canRemove: true,
   isFree: true,
   hasThings: true,
 
