@@ -171,3 +171,47 @@ test('each key of the schema is set and unset by forms, and the text stays the s
   const missing = [...keysOf(kSchema)].filter((key) => !met.has(key) && !kElsewhere.has(key));
   assert.deepEqual(missing, []);
 });
+
+test('a message keeps its lines, a colour has a swatch, and the panel says what a key means', async (t) => {
+  const { page } = await openEditor(t, browser);
+  await page.evaluate(() => {
+    const { history, editor } = window.slicecastEditor;
+    const message = { text: 'One line.', x: 3, y: 4 };
+    history.do('Put', [
+      { path: ['maps', 0, 'messages'], value: [message] },
+      { path: ['maps', 0, 'baked', 'lamps'], value: [{ x: 2, y: 2, z: 1 }] },
+    ]);
+    editor.choose({ edited: ['maps', 0, 'messages', 0] });
+  });
+  const thing = page.locator('#part-thing');
+  await thing.getByLabel('Message').fill('One line.\nAnother.');
+  await thing.getByLabel('West edge').focus();
+  assert.match(await thing.locator('.meaning').textContent(), /from 0 at the west/);
+  const text = () =>
+    page.evaluate(() => window.slicecastEditor.scene.value.maps[0].messages[0].text);
+  assert.equal(await text(), 'One line.\nAnother.');
+  await page.evaluate(() =>
+    window.slicecastEditor.editor.choose({ edited: ['maps', 0, 'baked', 'lamps', 0] }),
+  );
+  await thing.locator('input[type=color]').fill('#ff8040');
+  assert.equal(await thing.getByLabel('Colour', { exact: true }).inputValue(), '#ff8040');
+});
+
+test('the panel follows what is chosen: a tool, a block that is picked, a thing', async (t) => {
+  const { page } = await openEditor(t, browser, '?template=house');
+  const tab = () => page.textContent('#tabs [aria-selected=true]');
+  const choose = (choice) =>
+    page.evaluate((one) => window.slicecastEditor.editor.choose(one), choice);
+  await page.click('[data-tool=thing]');
+  assert.equal(await tab(), 'Thing');
+  await page.evaluate(() => {
+    const { editor } = window.slicecastEditor;
+    editor.pick({ map: 0, cell: { level: 0, x: 9, y: 7 } });
+  });
+  assert.equal(await tab(), 'Block');
+  await page.click('#tab-map');
+  await choose({ level: 1 });
+  assert.equal(await tab(), 'Map');
+  await choose({ edited: ['start'] });
+  assert.equal(await tab(), 'Thing');
+});

@@ -124,10 +124,9 @@ test('by touch alone', async (t) => {
     if (way !== undefined) await page.tap(`[data-way=${way}]`);
     if (block !== undefined) await page.tap(`#palette [data-digit="${block}"]`);
     if (thing !== undefined) await page.tap(`#palette [data-key="${thing}"]`);
-    // A finger has one button: what is to go is selected and deleted.
-    if (removes) await page.tap('[data-tool=select]');
+    // A finger has one button, and a switch.
+    if (removes) await page.tap('#ways button:text-is("Remove")');
     if (place !== undefined) await page.touchscreen.tap(...at(place));
-    if (removes) await page.tap('#select-bar button:text-is("Delete")');
     if (from === undefined) continue;
     await touch('touchStart', from);
     await touch('touchMove', to);

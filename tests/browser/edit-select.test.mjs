@@ -452,7 +452,7 @@ for (const [name, viewport] of Object.entries({
     for (const view of ['picture', 'plan']) {
       await page.click(`[data-view=${view}]`);
       const [bar, levels] = await told(page, () =>
-        ['#select-bar', '#plan-view .view-bar'].map((selector) => {
+        ['#select-bar', '[data-of=plan] .view-bar'].map((selector) => {
           const { left, right, top, bottom } = document
             .querySelector(selector)
             .getBoundingClientRect();

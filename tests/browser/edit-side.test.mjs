@@ -305,7 +305,7 @@ for (const [name, viewport] of Object.entries({
     await frames(page);
     const { overflow, small } = await told(page, () => ({
       overflow: document.documentElement.scrollWidth - innerWidth,
-      small: [...document.querySelectorAll('#side-view button')].filter(
+      small: [...document.querySelectorAll('[data-of=side] button')].filter(
         (button) => button.getBoundingClientRect().height < (innerWidth < 900 ? 44 : 32),
       ).length,
     }));

@@ -6,7 +6,7 @@ import { Buffer } from 'node:buffer';
 import { readFileSync } from 'node:fs';
 import { createRequire } from 'node:module';
 import { after, before, test } from 'node:test';
-import { frames, launch } from './browser.mjs';
+import { frames, launch, openPage } from './browser.mjs';
 import {
   lookAt,
   openEditor as openTheEditor,
@@ -144,7 +144,7 @@ test('the text is the same document: typing changes the world, faults leave it',
   await page.keyboard.press('Control+z');
   assert.equal((await textOf(page))[0], '{');
   await page.keyboard.press('Control+y');
-  await replaceText('"floor": "grass"', '"floor": "gras"');
+  await replaceText('"floor": "grass-meadow"', '"floor": "gras"');
   await page.waitForSelector('#problems:not([hidden])');
   assert.match(await page.textContent('#problems li'), /found the name "gras"/);
   await page.click('#problems li button');
@@ -186,6 +186,115 @@ test('one walks where one stands, and goes on building', async (t) => {
   assert.ok((await told(page, () => window.slicecastEditor.caster.currentView)).y < start.y - 0.4);
   await page.keyboard.press('KeyW');
   assert.equal(await told(page, () => window.slicecastEditor.caster.entered), false);
+});
+
+test('after a button was clicked Space rises; by keys alone it presses the button', async (t) => {
+  const { page } = await openEditor(t);
+  const height = () => told(page, () => window.slicecastEditor.caster.currentView.z);
+  const rises = async () => {
+    const before = await height();
+    await page.keyboard.down('Space');
+    await page.waitForFunction(
+      (z) => window.slicecastEditor.caster.currentView.z > z + 0.05,
+      before,
+    );
+    await page.keyboard.up('Space');
+  };
+  const tool = () => told(page, () => window.slicecastEditor.editor.tool.name);
+  for (const button of ['tool=box', 'way=walls', 'key="w"', 'view=picture']) {
+    await page.click(`[data-${button}]`);
+    await rises();
+  }
+  // From a dialog, and from a field of the panel by a press on the picture
+  await page.click('#open-keys');
+  await page.click('#keys [data-close]:text-is("Close")');
+  await rises();
+  await page.click('#title');
+  await page.mouse.click(...(await pointOf(page, 16.5, 17.5, 0)));
+  await rises();
+  assert.equal(await page.inputValue('#title'), 'A meadow');
+  await page.focus('[data-tool=paint]');
+  const before = await height();
+  await page.keyboard.press('Space');
+  assert.equal(await tool(), 'paint');
+  await page.keyboard.press('Shift+Tab');
+  await page.keyboard.press('Enter');
+  assert.equal(await tool(), 'replace');
+  assert.equal(await height(), before);
+  assert.equal(await told(page, () => document.activeElement.dataset.tool), 'replace');
+  // The mouse over the picture takes the keys again.
+  await page.mouse.move(700, 20);
+  await page.mouse.move(700, 400);
+  await rises();
+});
+
+test('before the scene has loaded, Walk waits and nothing fails', async (t) => {
+  let release;
+  const mayGo = new Promise((resolve) => (release = resolve));
+  const { page } = await openPage(t, browser, {
+    query: 'edit.html?template=meadow',
+    viewport: { width: 1366, height: 768 },
+    prepare: (opened) =>
+      opened.route('**/*.wasm', async (route) => {
+        await mayGo;
+        await route.continue();
+      }),
+  });
+  await page.waitForFunction(() => document.querySelector('#tools button') !== null);
+  assert.equal(await page.isDisabled('#walk'), true);
+  for (const key of ['Tab', 'Enter', 'Delete', 'KeyW', 'Escape']) await page.keyboard.press(key);
+  await page.mouse.click(500, 500);
+  await page.mouse.wheel(0, 100);
+  await page.keyboard.press('Tab');
+  assert.equal(await page.locator('body[data-walking]').count(), 0);
+  release();
+  await page.waitForFunction(() => document.body.dataset.state === 'ready');
+  await page.click('#walk');
+  await page.waitForFunction(() => window.slicecastEditor.caster.entered);
+});
+
+for (const way of ['Escape', 'Tab', 'the button'])
+  test(`one walks on the ground, looks ahead, sees no tool, and ${way} leads back`, async (t) => {
+    const { page } = await openEditor(t, '?template=house');
+    await lookAt(page, { x: 14, y: 22.5, z: 9, heading: 270, look: -1.2 });
+    await page.click('#walk');
+    await page.waitForFunction(() => window.slicecastEditor.caster.entered);
+    const { player } = await told(page, () => ({ player: window.slicecastEditor.caster.player }));
+    assert.deepEqual([player.x, player.y, player.feet, player.onGround], [14, 22.5, 0, true]);
+    assert.equal(player.look, 0);
+    for (const part of ['#tools', '#panel', '#blocks', '#about', '#views'])
+      assert.equal(await page.isVisible(part), false, part);
+    const { width, height } = await page.locator('#picture').boundingBox();
+    assert.deepEqual([width, height], [1366, 720]);
+    // Escape closes the list of keys first.
+    if (way === 'Escape') {
+      await page.keyboard.press('KeyH');
+      await page.waitForFunction(() => !window.slicecastEditor.caster.entered);
+      await page.keyboard.press('Escape');
+      assert.equal(await page.isVisible('#tools'), false);
+      await page.keyboard.press('Enter');
+      await page.waitForFunction(() => window.slicecastEditor.caster.entered);
+    }
+    if (way === 'the button') await page.click('button:text-is("Back to editing")');
+    else await page.keyboard.press(way);
+    await page.waitForFunction(() => window.slicecastEditor.caster.state === 'paused');
+    await settle(page);
+    assert.equal(await page.isVisible('#tools'), true);
+    assert.equal(await page.textContent('#walk'), 'Walk');
+    assert.equal(await told(page, () => window.slicecastEditor.caster.flying), true);
+  });
+
+test('by touch the thumbs are there at once, and one button leads back', async (t) => {
+  const { page } = await openEditor(t, '?template=house', {
+    viewport: { width: 820, height: 1180 },
+    context: { hasTouch: true, isMobile: true },
+  });
+  await page.tap('#walk');
+  await page.waitForSelector('#picture .stick');
+  assert.equal(await page.isVisible('#picture .leave'), false);
+  await page.tap('button:text-is("Back to editing")');
+  await page.waitForSelector('#picture .stick', { state: 'detached' });
+  assert.equal(await page.isVisible('#tools'), true);
 });
 
 test('what was built is there again, and a link brings it to others', async (t) => {
@@ -378,6 +487,160 @@ for (const [name, viewport] of Object.entries({
     }
   });
 }
+
+// What lies over the views, and over the picture while somebody walks
+const kOver = ['#select-bar', '#ways', '#tour', '.view-bar', '.legend', '#about', '#toast'];
+const kOfWalker = ['.status', '.stick', '.buttons', '.leave'];
+
+// Nothing of these covers another or leaves the views. The names of what is seen.
+const apart = (page, at) =>
+  told(
+    page,
+    ([over, ofWalker]) => {
+      const { shadowRoot } = document.getElementById('picture');
+      const all = [
+        ...over.flatMap((name) => [...document.querySelectorAll(name)].map((one) => [name, one])),
+        ...ofWalker.map((name) => [name, shadowRoot.querySelector(name)]),
+      ]
+        .filter(([, one]) => one?.checkVisibility({ visibilityProperty: true }))
+        .map(([name, one]) => [name, one.getBoundingClientRect()])
+        .filter(([, { width, height }]) => width > 1 && height > 1);
+      const meet = (one, other) =>
+        one.left < other.right &&
+        other.left < one.right &&
+        one.top < other.bottom &&
+        other.top < one.bottom;
+      const stage = document.getElementById('stage').getBoundingClientRect();
+      const wrong = all.flatMap(([name, box], index) =>
+        [
+          ...all.slice(index + 1).filter(([, other]) => meet(box, other)),
+          ...(box.left >= stage.left && box.right <= stage.right ? [] : [['#stage']]),
+          ...(box.top >= stage.top && box.bottom <= stage.bottom ? [] : [['#stage']]),
+        ].map(([other]) => `${name} and ${other}`),
+      );
+      return { seen: all.map(([name]) => name), wrong };
+    },
+    [kOver, kOfWalker],
+  ).then(({ seen, wrong }) => {
+    assert.deepEqual(wrong, [], at);
+    return seen;
+  });
+
+for (const [width, height, isTouch] of [
+  [360, 640, true],
+  [390, 844, true],
+  [820, 1180, true],
+  [844, 390, true],
+  [683, 384, false], // 1366 x 768 at 200 %
+  [960, 540, false], // 1920 x 1080 at 200 %
+  [1366, 768, false],
+  [2560, 1440, false],
+])
+  test(`nothing covers anything in a window of ${width} x ${height}`, async (t) => {
+    const { page } = await openEditor(t, '?template=garden&tour', {
+      viewport: { width, height },
+      context: { hasTouch: isTouch, isMobile: isTouch },
+    });
+    const press = (what) => (isTouch ? page.tap(what) : page.click(what));
+    const seen = new Set();
+    const look = async (at) => {
+      await frames(page, 1);
+      for (const name of await apart(page, at)) seen.add(name);
+    };
+    for (const hasTour of [true, false]) {
+      if (!hasTour) await press('#tour [data-skip]');
+      for (const view of ['picture', 'plan', 'side']) {
+        await press(`[data-view=${view}]`);
+        for (const tool of ['place', 'box', 'paint', 'link', 'select']) {
+          await press(`[data-tool=${tool}]`);
+          if (tool === 'select') await page.keyboard.press('Control+a');
+          await told(
+            page,
+            (words) => window.slicecastEditor.editor.say(words),
+            'Copied. '.repeat(6),
+          );
+          await look(`${view}, ${tool}, ${hasTour}`);
+        }
+      }
+    }
+    await press('#walk');
+    await page.waitForFunction(() => window.slicecastEditor.caster.entered);
+    await told(page, () => window.slicecastEditor.editor.say('Saved in this browser.'));
+    await look('walking');
+    for (const name of [
+      '#select-bar',
+      '#ways',
+      '#tour',
+      '.view-bar',
+      '#toast',
+      isTouch ? '.stick' : '.status',
+    ])
+      assert.ok(seen.has(name), `${name} was seen: ${[...seen]}`);
+  });
+
+test('a finger removes by the switch, and no words speak of mouse or keys to it', async (t) => {
+  const { page } = await openEditor(t, '?template=meadow&tour', {
+    viewport: { width: 390, height: 844 },
+    context: { hasTouch: true, isMobile: true },
+  });
+  const words = () =>
+    told(page, () =>
+      ['about', 'tour', 'toast', 'open-keys'].map((id) => document.getElementById(id).innerText),
+    );
+  const kOfOthers =
+    /click|wheel|button|\b(Keys|Shift|Escape|Enter|Delete|Tab|Ctrl|Alt|[A-Z]:)|\b[WSDOUI] /;
+  const speaksOfFingers = async () => assert.doesNotMatch((await words()).join('\n'), kOfOthers);
+  for (let step = 0; step < 4; ++step) {
+    await speaksOfFingers();
+    await page.tap('#tour [data-next]');
+  }
+  for (const tool of await page.locator('#tools button').all()) {
+    await tool.tap();
+    await speaksOfFingers();
+    for (const way of await page.locator('#ways [data-way]:visible').all()) {
+      await way.tap();
+      await speaksOfFingers();
+    }
+  }
+  await told(page, () =>
+    window.slicecastEditor.editor.say('Right click removes, a double click ends.'),
+  );
+  await speaksOfFingers();
+  await page.tap('#open-keys');
+  assert.equal(await page.isVisible('[data-keys=tables]'), false);
+  assert.match(await page.innerText('[data-keys=fingers]'), /Remove/);
+  await page.tap('#keys [data-close]:text-is("Close")');
+
+  await page.tap('[data-tool=place]');
+  await lookAt(page, { x: 16.5, y: 20.5, z: 1.6, heading: 270, look: -0.5 });
+  const tap = async (...place) => {
+    await page.touchscreen.tap(...(await pointOf(page, ...place)));
+    return (await rowsOf(page, 0))[17][16];
+  };
+  assert.match(await page.textContent('#about'), /Remove/);
+  assert.notEqual(await tap(16.5, 17.5, 0), '.');
+  await page.tap('#ways button:text-is("Remove")');
+  assert.equal(await tap(16.5, 18, 0.5), '.');
+  assert.equal(await tap(16.5, 17.5, 0), '.'); // there is nothing
+  await page.tap('#palette [data-digit="2"]');
+  assert.notEqual(await tap(16.5, 17.5, 0), '.');
+  await page.tap('#ways button:text-is("Remove")');
+  await page.tap('[data-view=plan]');
+  await frames(page);
+  const box = await page.locator('#plan').boundingBox();
+  await page.touchscreen.tap(
+    box.x + box.width * (0.5 + 0.5 / 34),
+    box.y + box.height / 2 + box.width * (1.5 / 34),
+  );
+  assert.equal((await rowsOf(page, 0))[17][16], '.');
+
+  // With a mouse the words are the others, and nothing needs the switch.
+  await page.mouse.click(200, 20);
+  assert.match((await words()).join('\n'), /Right click[^]*Keys/);
+  await page.tap('[data-tool=box]');
+  await page.mouse.click(200, 20);
+  assert.equal(await page.isVisible('#ways button:text-is("Remove")'), false);
+});
 
 test('four steps begin the first visit, each done by doing it, and never come again', async (t) => {
   const { page } = await openEditor(t, '?template=meadow', { prepare: async () => {} });

@@ -44,6 +44,15 @@ test('every key has a kind, words, and a first value that the schema takes', () 
   assert.ok(checked.size > 150, `${checked.size}`);
 });
 
+test('no two keys of an object have one title', () => {
+  const schema = new Schema(kSchema);
+  for (const [at, , { kinds }] of schemaParts(schema, kSchema))
+    for (const { keys = new Map() } of kinds) {
+      const titles = [...keys].map(([key, node]) => schema.of(node, key).title);
+      assert.equal(new Set(titles).size, titles.length, `${at}: ${titles}`);
+    }
+});
+
 test('a place of a scene is found in the schema', () => {
   const schema = new Schema(kSchema);
   assert.equal(schema.at(['maps', 0, 'fog', 'end']).kinds[0].type, 'number');

@@ -32,6 +32,7 @@ const kModules = [
   'files/world-link',
   'history',
   'handles',
+  'ground',
   'json-text',
   'kinds',
   'levels',

@@ -109,6 +109,50 @@ test('box makes solid, hollow and open boxes; the wheel sets the height', () => 
   }
 });
 
+test('a box past the map is clipped to it, shown so, and words say why', () => {
+  const { editor, rows } = opened('box');
+  const most = () => Math.max(...editor.marks.flatMap(({ from, to }) => [...from, ...to]));
+  editor.choose({ sign: 'w', way: 'walls' });
+  editor.press(floor(2, 1));
+  editor.point(floor(9, 4));
+  assert.equal(most(), 6);
+  assert.match(editor.about, /^The map ends here\. .*Size/);
+  editor.release();
+  assert.deepEqual(rows().slice(1, 5), ['#.wwww', '#.ww.w', '#.ww.w', '#.wwww'], 'with all walls');
+  editor.point(floor(1, 3));
+  assert.match(editor.about, /^Drag from corner/);
+  for (const tool of ['place', 'line', 'fill', 'select']) {
+    editor.choose({ tool: modules[tool] });
+    editor.point(floor(9, 4));
+    assert.match(editor.about, /^The map ends here/, tool);
+    assert.deepEqual(editor.marks, [], tool);
+  }
+  editor.point(at(1, 1, { level: 31 }));
+  editor.choose({ tool: modules.place });
+  assert.match(editor.about, /level 31/);
+});
+
+test('what a click would choose is named', () => {
+  const { editor, scene, history } = opened('thing');
+  history.do('Lamp', [
+    {
+      path: ['maps', 0, 'baked'],
+      value: { lamps: [{ x: 2.5, y: 1.5, z: 1, colour: '#ffffff', radius: 3 }] },
+    },
+    { path: ['maps', 0, 'messages'], value: [{ text: 'A long text '.repeat(9), x: 1, y: 1 }] },
+  ]);
+  const edited = ['maps', 0, 'baked', 'lamps', 0];
+  editor.choose({ edited });
+  for (const { path } of modules.handlesOf(scene, 0, edited)) {
+    editor.point({ ...floor(1, 1), thing: path });
+    assert.match(
+      editor.about,
+      /^(Lamp|Start of|Message: A long text|Reach)[^.]*\. .*Drag/,
+      String(path),
+    );
+  }
+});
+
 test('fill takes what is joined and alike, replace the whole map', () => {
   const filled = opened('fill');
   filled.editor.choose({ sign: 'w' });
@@ -119,10 +163,19 @@ test('fill takes what is joined and alike, replace the whole map', () => {
   filled.editor.release();
   assert.equal(filled.rows()[0], '......');
   const replaced = opened('replace');
+  const said = [];
+  replaced.editor.listen((what, words) => what === 'words' && said.push(words));
   replaced.editor.choose({ sign: 'w' });
+  replaced.editor.point(at(0, 0));
+  assert.match(replaced.editor.about, /changes 20 blocks of "wall" .* into "low wall"/);
   replaced.editor.press(at(0, 0));
   replaced.editor.release();
   assert.deepEqual(replaced.rows(), ['wwwwww', 'w....w', 'w.ww.w', 'w.ww.w', 'w....w', 'wwwwww']);
+  replaced.editor.press(at(1, 1));
+  replaced.editor.release();
+  assert.equal(replaced.history.length, 1, 'nothing by a click on nothing');
+  assert.match(said[0], /^20 blocks of "wall" changed into "low wall"/);
+  assert.match(said[1], /^Click a block/);
 });
 
 test('paint gives a block a kind of its own, and finds one that looks so already', () => {
@@ -209,4 +262,86 @@ test('a pick of the picture becomes a target', () => {
   assert.equal(targetOf({ ...pick, face: 'bottom', level: 0 }, scene).before, null);
   assert.equal(targetOf({ ...pick, point: null }, scene), null);
   assert.equal(targetOf({ ...pick, map: 'elsewhere' }, scene), null);
+});
+
+test('on the plan a thing keeps its height over the ground, also on steps and walls', () => {
+  const { scene, history, editor } = opened('thing');
+  const lamp = { x: 1.5, y: 1.5, z: 0.8, colour: '#ffffff', radius: 3 };
+  history.do('Put', [
+    { path: ['maps', 0, 'objects'], value: [{ sprite: 'tree', x: 1.5, y: 1.5, height: 1 }] },
+    { path: ['maps', 0, 'baked'], value: { lamps: [lamp] } },
+    ...modules.cellChanges(scene, 0, [{ layer: 1, x: 0, y: 3, sign: '#' }]),
+  ]);
+  const over = (thing, x, y) => ({
+    ...at(x, y),
+    point: [x + 0.5, y + 0.5, 0],
+    view: 'plan',
+    thing,
+  });
+  const heights = (path) => {
+    const z = () => path.reduce((node, key) => node[key], scene.value).z ?? 0;
+    editor.press(over(path, 1, 1));
+    const found = [
+      [2, 2],
+      [5, 2],
+      [0, 3],
+      [4, 4],
+    ].map((place) => {
+      editor.point(over(path, ...place));
+      return z();
+    });
+    editor.release();
+    return found;
+  };
+  assert.deepEqual(heights(['maps', 0, 'objects', 0]), [0.5, 1, 2, 0]);
+  assert.deepEqual(heights(['maps', 0, 'baked', 'lamps', 0]), [1.3, 1.8, 2.8, 0.8]);
+});
+
+test('the ground is the floor, a slope, or the top below a height', () => {
+  const { scene, history } = opened('place');
+  const slope = { top: [0, 1], rise: 'east', faces: 'grey' };
+  history.do('Put', [
+    { path: ['blueprints', 'slope'], value: slope },
+    { path: ['legend', '/'], value: 'slope' },
+    ...modules.cellChanges(scene, 0, [
+      { layer: 0, x: 3, y: 1, sign: '/' },
+      { layer: 2, x: 1, y: 1, sign: '#' },
+    ]),
+  ]);
+  const ground = (x, y, z) => modules.groundAt(scene, 0, { x, y, z });
+  assert.equal(ground(3.25, 1.5, 0), 0.25);
+  assert.deepEqual(
+    [0, 1.9, 2.5, 3, 9].map((z) => ground(1.5, 1.5, z)),
+    [0, 0, 3, 3, 3],
+  );
+});
+
+test('a pool has walls of the chosen block with water in them, a pond is in the floor', () => {
+  const { scene, history, editor, rows } = opened('box');
+  const before = scene.text;
+  const names = () => Object.fromEntries(kindsOf(scene, 0).map(({ sign, name }) => [sign, name]));
+  const name = (level, x, y) => names()[scene.sign(0, level, x, y)];
+  editor.choose({ sign: '#', way: 'pool' });
+  editor.press(floor(1, 1));
+  editor.point(floor(4, 4));
+  editor.turn(1);
+  editor.release();
+  assert.deepEqual([name(0, 1, 1), name(0, 2, 2)], ['wall', 'water below']);
+  assert.deepEqual([name(1, 1, 1), name(1, 2, 2)], ['wall up to 0.5', 'water']);
+  const { water, top } = scene.value.blueprints.water;
+  assert.ok(water && top < 0.5, 'below the rim');
+  history.undo();
+  editor.choose({ way: 'pond' });
+  editor.press(floor(1, 1));
+  editor.point(floor(2, 2));
+  editor.release();
+  const pond = scene.value.maps[0].floor;
+  assert.equal(pond.legend[pond.tiles[2][1]], pond.water);
+  assert.equal(rows()[2], '#..w.#', 'nothing stands in it');
+  editor.press(floor(1, 1), { removes: true });
+  editor.point(floor(2, 2));
+  editor.release();
+  assert.ok(scene.value.maps[0].floor.tiles.every((row) => row === '......'));
+  while (history.undo() !== null);
+  assert.equal(scene.text, before);
 });

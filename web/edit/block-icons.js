@@ -4,7 +4,7 @@
 //     paintBlock(canvas, blueprint, pictures);
 //     paintWhole(canvas, image);                  // a thing's picture
 
-import { extentOf, textureOf } from './shapes.js';
+import { extentOf, textureOf, waterOf } from './shapes.js';
 
 const kShade = { top: 0, south: 0.16, east: 0.36 };
 
@@ -38,8 +38,9 @@ export function paintBlock(canvas, blueprint, pictures) {
     );
     context.imageSmoothingEnabled = false;
     if (image === null) {
-      if (name === null) return;
-      context.fillStyle = '#6b625a';
+      const colour = name === null ? waterOf(blueprint) : '#6b625a';
+      if (colour === null) return;
+      context.fillStyle = colour;
       context.fillRect(0, 0, 1, 1);
     } else {
       context.drawImage(image, 0, 0, 1, 1);

@@ -159,11 +159,12 @@ export class CanvasView {
     const { button, clientX: x, clientY: y } = event;
     this.#drag = { button, x, y, isMoved: false, own: null };
     if (button !== 0) return;
-    this.#drag.own = this.grab(this.placeAt(event), event);
+    const removes = event.ctrlKey || this.editor.removes;
+    if (!removes) this.#drag.own = this.grab(this.placeAt(event), event);
     const target = this.#find(event);
     if (target === null || this.#drag.own !== null) return;
     if (event.altKey) this.editor.pick(target);
-    else this.editor.press(target, { removes: event.ctrlKey });
+    else this.editor.press(target, { removes });
   }
 
   cancel() {

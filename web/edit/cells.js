@@ -5,6 +5,8 @@
 //     sizeOf(scene, 0)                                        // {width, depth, levels}
 //     cellChanges(scene, 0, [{ layer: 3, x: 1, y: 2, sign: '#' }])
 //     isInside(scene, 0, { x: 1, y: 2 })
+//     clipped(scene, 0, { from, to })                         // the part of a box within the map
+//     outsideWords(scene, 0, cell)                            // why nothing can stand there
 //     const signAt = signReader(scene, 0);    signAt(level, x, y)   // for many cells
 
 import { signsOf } from '../engine/signs.js';
@@ -31,6 +33,34 @@ export function signReader(scene, map) {
 export function isInside(scene, map, { x, y, level = 0 }) {
   const { width, depth } = sizeOf(scene, map);
   return x >= 0 && y >= 0 && x < width && y < depth && level >= 0 && level < kMostLevels;
+}
+
+// The part of a box of cells {from, to} that lies within the map; null if none does.
+export function clipped(scene, map, { from, to }) {
+  const { width, depth } = sizeOf(scene, map);
+  const least = (one) => ({
+    level: Math.max(0, one.level),
+    x: Math.max(0, one.x),
+    y: Math.max(0, one.y),
+  });
+  const most = (one) => ({
+    level: Math.min(kMostLevels - 1, one.level),
+    x: Math.min(width - 1, one.x),
+    y: Math.min(depth - 1, one.y),
+  });
+  const box = { from: least(from), to: most(to) };
+  return ['level', 'x', 'y'].every((axis) => box.from[axis] <= box.to[axis]) ? box : null;
+}
+
+export const kEdgeWords = 'The map ends here. Map > Size in the panel makes it larger.';
+const kTopWords = `A map ends above level ${kMostLevels - 1}.`;
+const kGroundWords = 'Nothing lies below level 0: it stands on the ground.';
+
+// Words that say why no block can stand in a cell; undefined if one can.
+export function outsideWords(scene, map, cell) {
+  if (cell === null || isInside(scene, map, cell)) return undefined;
+  if (!isInside(scene, map, { ...cell, level: 0 })) return kEdgeWords;
+  return cell.level < 0 ? kGroundWords : kTopWords;
 }
 
 // Cells outside the map are left out. Of several changes of a cell the last one counts.

@@ -6,7 +6,7 @@
 //     editor.point(target);                       // the pointer is there; null: nowhere
 //     editor.press(target, { removes: false });   // a stroke begins, goes on by point()
 //     editor.release();
-//     editor.listen((what, words) => ...);        // 'choice', 'marks', 'words' for the user
+//     editor.listen((what, more) => ...);         // 'choice' and which, 'marks', 'words' to show
 //
 // A target is {map, mapName, cell, before, face, point, thing}, where each may be null but the
 // first two: the cell that is pointed at; the free cell before its face, where a block would be
@@ -25,6 +25,7 @@ import { pictureOf } from './files/shipped.js';
 import { tableOf } from './names.js';
 import { valueAt } from './things.js';
 
+const kMaterials = ['sign', 'texture', 'thing']; // who chooses one wants to put it
 let strokes = 0;
 
 export class Editor {
@@ -44,6 +45,8 @@ export class Editor {
   section = null; // {axis, at} of the side view, while it is in use; see section.js
   isWhole = false; // Shift is held
   selection = null; // {map, cells}: what is selected, see selection.js
+  removes = false; // what is pressed, also with the left button or a finger
+  isTouch = false; // somebody works by finger
   adds = false; // to what is selected, also without Shift
   brush = null; // {part, turn, name}: what is pasted, see parts.js
   world = ''; // under which name the world is kept
@@ -66,10 +69,12 @@ export class Editor {
   choose(choice) {
     const { tool, way } = this;
     Object.assign(this, choice);
+    if (this.tool !== tool || kMaterials.some((name) => choice[name] !== undefined))
+      this.removes = false;
     if ((this.tool !== tool || this.way !== way) && choice.pending === undefined)
       this.pending = null;
     this.#check();
-    this.#tell('choice');
+    this.#tell('choice', choice);
     this.#tell('marks');
   }
 
@@ -160,7 +165,7 @@ export class Editor {
     this.#tell('marks');
   }
 
-  press(target, { removes = false } = {}) {
+  press(target, { removes = this.removes } = {}) {
     strokes += 1;
     const adds = this.isWhole || this.adds;
     this.#stroke = { key: `stroke ${strokes}`, targets: [target], removes, adds, height: 0 };
@@ -230,8 +235,16 @@ export class Editor {
 
   // What the tool does, in words.
   get about() {
-    const { tool } = this;
-    return tool.help?.(this.#context) ?? tool.about;
+    const { tool, isTouch } = this;
+    const usual = (isTouch && tool.touch) || tool.about;
+    return this.hint ?? tool.help?.(this.#context) ?? usual;
+  }
+
+  // Words for what is pointed at; undefined if there are none.
+  get hint() {
+    const stroke = this.#stroke ?? { targets: [this.#target], removes: false, height: 0 };
+    if (stroke.targets.at(-1) === null) return undefined;
+    return this.tool.hint?.(stroke, this.#context);
   }
 
   // Notches of the wheel, up positive. False if the tool has no use for them.
@@ -261,7 +274,7 @@ export class Editor {
   get #context() {
     const { scene, sign, texture, thing, way, isWhole, selection, brush, world } = this;
     const { links, edited, pending } = this;
-    const removes = this.#stroke?.removes ?? false;
+    const removes = this.#stroke?.removes ?? this.removes;
     return {
       ...{ scene, sign, texture, thing, way, isWhole, selection, brush, world },
       ...{ links, edited, pending, removes },
@@ -315,8 +328,8 @@ export class Editor {
       this.texture = Object.keys(tableOf(value, 'textures'))[0] ?? null;
   }
 
-  #tell(what, words) {
-    for (const listener of this.#listeners) listener(what, words);
+  #tell(what, more) {
+    for (const listener of this.#listeners) listener(what, more);
   }
 }
 

@@ -3,12 +3,16 @@
 // Takes a document; gives lists and changes. Changes nothing itself, and knows no view.
 //
 //     handlesOf(scene, 0, edited)                // [{path, kind, x, y, z}]
-//     dragChanges(scene, path, target)           // puts it where the pointer is
+//     dragChanges(scene, path, target, stands)   // puts it where the pointer is; in the plan with
+//                                                // the height over ground that it had:
+//     standingOf(scene, 0, path)                 // {ground, above}
 //     turnChanges(scene, path, notches)          // null: the wheel has no use there
 //     removeChanges(scene, path)   copyOf(scene, path)
+//     wordsOf(scene, 0, path, edited)            // what it is and does
 //     formPathOf(path)                           // of the value whose form is shown
 
 import { isInside } from './cells.js';
+import { groundAt } from './ground.js';
 import { framesOf, isPlaced, mapNumber, middleOf, startMap, withoutNames } from './links.js';
 import { movedEnd, portalEnd } from './portal-ends.js';
 import { pictureOf } from './files/shipped.js';
@@ -39,6 +43,35 @@ export function handlesOf(scene, map, edited) {
     ...wayPoints(value, map),
     ...areas(value, map),
   ];
+}
+
+// How each kind is called, and what one does with it.
+const kMoves = 'Drag moves it, Delete removes it.';
+const kTurns = 'Drag moves it, the wheel turns it, Delete removes it.';
+const kAbout = {
+  object: ({ sprite, find }) => [find === undefined ? sprite : `Find: ${sprite}`, kTurns],
+  lamp: () => ['Lamp', 'Drag moves it, the wheel raises and lowers it, Delete removes it.'],
+  start: () => ['Start of the player', 'Drag moves it, the wheel turns it.'],
+  place: (_, path) => [`Place "${path.at(-1)}"`, 'Drag moves it.'],
+  portal: (_, path) => [path.at(-1) === 'to' ? 'Far end of a portal' : 'Portal', kMoves],
+  way: () => ['Point of a way', kMoves],
+  message: ({ text }) => [`Message: ${shortened(text)}`, kMoves],
+  goal: () => ['Goal: the game ends here', kMoves],
+  radius: () => ['Reach of the lamp', 'Drag changes it.'],
+  heading: () => ['Where it faces', 'Drag turns it.'],
+  corner: () => ['Corner of the tiles', 'Drag makes them more or fewer.'],
+};
+const kLongest = 40; // characters of a message
+
+const shortened = (text) =>
+  text.length > kLongest ? `${text.slice(0, kLongest).trimEnd()} …` : text;
+
+export function wordsOf(scene, map, path, edited) {
+  const handle = handlesOf(scene, map, edited).find((one) => String(one.path) === String(path));
+  if (handle === undefined) return undefined;
+  const kind = path.at(-1) === 'width' ? 'corner' : handle.kind;
+  const [name, acts] = kAbout[kind](valueAt(scene.value, path) ?? {}, path);
+  return `${name[0].toUpperCase()}${name.slice(1)}. ${acts}`;
 }
 
 function portalEnds(value, map) {
@@ -133,7 +166,14 @@ const set = (path, value) => ({ path, value });
 const differing = (scene, changes) =>
   changes.filter(({ path, value }) => valueAt(scene.value, path) !== value);
 
-export function dragChanges(scene, path, target) {
+export function standingOf(scene, map, path) {
+  const { x, y, z = 0 } = valueAt(scene.value, path) ?? {};
+  if (!Number.isFinite(x) || !Number.isFinite(y)) return null;
+  const ground = groundAt(scene, map, { x, y, z });
+  return { ground, above: z - ground };
+}
+
+export function dragChanges(scene, path, target, stands = null) {
   const { map, point, view, lift } = target;
   if (lift !== undefined) return liftChanges(scene, path, lift);
   if (point === null) return [];
@@ -170,8 +210,14 @@ export function dragChanges(scene, path, target) {
   const isPoint = path.includes('path');
   if (!isPoint && path[0] === 'maps' && path[1] !== map) return [];
   const height = path[2] === 'baked' ? z + kLampHeight : z;
-  // Seen from above, heights stay.
-  return moveChanges(scene, path, isPoint || view === 'plan' ? { x, y } : { x, y, z: height });
+  if (isPoint) return moveChanges(scene, path, { x, y });
+  if (view !== 'plan' || stands === null) return moveChanges(scene, path, { x, y, z: height });
+  const from = Math.max(stands.ground, z); // z: of the level that the plan shows
+  return moveChanges(scene, path, {
+    x,
+    y,
+    z: groundAt(scene, map, { x, y, z: from }) + stands.above,
+  });
 }
 
 // Areas and portals stand on tiles, points of ways on the ground.

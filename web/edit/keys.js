@@ -1,7 +1,33 @@
 // The keys of the editor. Takes actions; knows no view and no document.
 //
-//     listenToKeys(actions, camera, tools, { isWalking() {} });
+//     listenToKeys(actions, camera, tools, { isWalking() {}, isSteering() {} });
 //     keyHelp(dialog, button, tools);
+
+import { isTouch } from './fingers.js';
+
+// By finger, and by mouse and keyboard: [what one does, its effect]
+const kFingers = [
+  [
+    'Build',
+    [
+      ['Tap', 'use the tool'],
+      ['Drag', 'a row of blocks, from corner to corner, or a thing to its place'],
+      ['Remove', 'above the picture: taps and drags take away; once more to put again'],
+      ['Undo, Redo', 'in the bar at the top'],
+      ['Done', 'ends a way'],
+      ['Select', 'copy, move, turn, fill or delete a part of the world'],
+    ],
+  ],
+  [
+    'Look',
+    [
+      ['Two fingers', 'turn the view; apart or together, fly ahead or back'],
+      ['Two fingers', 'in the plan and the side view: move and zoom'],
+      ['▲, ▼', 'in the plan another level, in the side view another section'],
+      ['Walk', 'the left thumb walks, the right one looks around'],
+    ],
+  ],
+];
 
 const kGroups = [
   [
@@ -44,7 +70,7 @@ const kGroups = [
       ['Shift', 'faster'],
       ['Right button, dragged', 'look around'],
       ['Wheel', 'ahead and back'],
-      ['Tab', 'walk, and back to building; Shift and Tab goes to the buttons'],
+      ['Tab', 'walk; Tab or Escape, back to editing; Shift and Tab goes to the buttons'],
     ],
   ],
   [
@@ -61,7 +87,7 @@ const kGroups = [
   ],
 ];
 
-export function listenToKeys(actions, camera, tools, { isWalking }) {
+export function listenToKeys(actions, camera, tools, { isWalking, isSteering }) {
   addEventListener(
     'keydown',
     (event) => {
@@ -78,17 +104,29 @@ export function listenToKeys(actions, camera, tools, { isWalking }) {
         actions.walk();
         return;
       }
-      if (isWalking()) return;
+      if (isWalking()) {
+        if (isSteering()) leaveByEscape(event);
+        return;
+      }
       if (!isFree(event.target) && !isUndoOfText(event)) return;
       if (take(event)) event.preventDefault();
     },
     true,
   );
+  // While nobody steers, the list of keys over the picture comes first.
+  addEventListener('keydown', (event) => isWalking() && leaveByEscape(event));
   addEventListener('keyup', ({ code, shiftKey }) => {
     camera.release(code);
     camera.isFast = shiftKey;
   });
   addEventListener('blur', () => camera.stop());
+
+  function leaveByEscape(event) {
+    if (event.code !== 'Escape' || event.defaultPrevented) return;
+    event.preventDefault();
+    event.stopPropagation();
+    actions.walk();
+  }
 
   function take(event) {
     const { code, key, ctrlKey, metaKey, altKey, shiftKey } = event;
@@ -150,27 +188,32 @@ function isFree(target) {
 }
 
 export function keyHelp(dialog, button, tools) {
-  const groups = [
-    ...kGroups,
-    ['Tools', tools.map(({ key, label, about }) => [key, `${label}. ${about}`])],
-  ];
-  dialog.querySelector('.body').append(
-    ...groups.flatMap(([title, rows]) => {
-      const heading = document.createElement('h3');
-      heading.textContent = title;
-      const list = document.createElement('div');
-      list.className = 'keys';
-      for (const [keys, does] of rows) {
-        const key = document.createElement('span');
-        key.append(...keys.split(/(, )/).map((part) => (part === ', ' ? part : keyOf(part))));
-        const what = document.createElement('span');
-        what.textContent = does;
-        list.append(key, what);
-      }
-      return [heading, list];
-    }),
+  const part = (name) => dialog.querySelector(`[data-keys=${name}]`);
+  const byKey = tools.map(({ key, label, about }) => [key, `${label}. ${about}`]);
+  part('fingers').append(
+    ...kFingers.flatMap(group),
+    ...group(['Tools', tools.map(({ label, touch, about }) => [label, touch ?? about])]),
   );
-  button.addEventListener('click', () => dialog.showModal());
+  part('tables').append(...[...kGroups, ['Tools', byKey]].flatMap(group));
+  button.addEventListener('click', () => {
+    part('keyboard').open = !isTouch();
+    dialog.showModal();
+  });
+}
+
+function group([title, rows]) {
+  const heading = document.createElement('h3');
+  heading.textContent = title;
+  const list = document.createElement('div');
+  list.className = 'keys';
+  for (const [keys, does] of rows) {
+    const key = document.createElement('span');
+    key.append(...keys.split(/(, )/).map((part) => (part === ', ' ? part : keyOf(part))));
+    const what = document.createElement('span');
+    what.textContent = does;
+    list.append(key, what);
+  }
+  return [heading, list];
 }
 
 function keyOf(text) {

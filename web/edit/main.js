@@ -14,6 +14,7 @@ import { SaveBar } from './files/save-bar.js';
 import { beginningOf, Saving } from './files/saving.js';
 import { shareDialog } from './files/share-dialog.js';
 import { keepOpened } from './files/world-store.js';
+import { inTouch, isTouch, listenToFingers } from './fingers.js';
 import { FlyCamera } from './fly-camera.js';
 import { History } from './history.js';
 import { keyHelp, listenToKeys } from './keys.js';
@@ -27,8 +28,8 @@ import { Pictures } from './pictures.js';
 import { PictureView } from './picture-view.js';
 import { PlanView } from './plan-view.js';
 import { Problems } from './problems.js';
-import { sizeOf } from './cells.js';
-import { textureOf } from './shapes.js';
+import { isInside, sizeOf } from './cells.js';
+import { textureOf, waterOf } from './shapes.js';
 import { Selecting } from './selecting.js';
 import { knowShipped } from './files/shipped.js';
 import { SideView } from './side-view.js';
@@ -69,6 +70,8 @@ const own = new Map(before?.pictures); // the world's own pictures: file -> byte
 const history = new History(scene);
 const editor = new Editor(scene, history, place);
 editor.world = world.name;
+editor.isTouch = isTouch();
+listenToFingers((byFinger) => editor.choose({ isTouch: byFinger }));
 const pictures = new Pictures(scene, (file) => readPicture(own, file, world));
 const camera = new FlyCamera(caster);
 let textView = null;
@@ -92,6 +95,7 @@ const pictureView = new PictureView(caster, editor, camera);
 const colours = {
   of: colourOf,
   texture: (name) => pictures.meanOf(name),
+  sprite: (name) => pictures.spriteOf(name),
   floor: (map) => {
     const { floor } = scene.value.maps[map];
     const name = typeof floor === 'string' ? floor : floor?.texture;
@@ -270,22 +274,21 @@ byId('tools').append(
 new ToolWays(byId('ways'), editor);
 byId('thing-copy').addEventListener('click', actions.duplicate);
 byId('thing-remove').addEventListener('click', () => editor.removeEdited());
-editor.listen((what, words) => {
-  if (what === 'words') toast(words);
-  else if (what === 'choice') showChoice();
+editor.listen((what, more) => {
+  if (what === 'words') toast(more);
+  else if (what === 'choice') showChoice(more);
   else showWhere();
 });
 scene.listen(({ isWhole }) => isWhole && showMaps());
 showChoice();
 
-function showChoice() {
+function showChoice(choice) {
   for (const button of byId('tools').children)
     button.setAttribute('aria-pressed', String(button.dataset.tool === editor.tool.name));
-  byId('about').textContent = editor.about;
   byId('level').textContent = String(editor.level);
   byId('section').textContent = side.name;
   showMaps();
-  panel.show();
+  panel.show(choice);
   mapPanel.show();
   showWhere();
 }
@@ -302,10 +305,12 @@ function showWhere() {
   const { target, map } = editor;
   const { width, depth, levels } = sizeOf(scene, map);
   const at = target?.cell ?? target?.before ?? null;
-  byId('where').textContent =
-    at === null
-      ? `${width} × ${depth} tiles, ${levels} ${levels === 1 ? 'level' : 'levels'}`
-      : `x ${at.x}, y ${at.y}, level ${at.level}`;
+  const isIn = at !== null && isInside(scene, map, at);
+  byId('about').textContent = inTouch(editor.about);
+  byId('about').toggleAttribute('data-hint', editor.hint !== undefined);
+  byId('where').textContent = !isIn
+    ? `${width} × ${depth} tiles, ${levels} ${levels === 1 ? 'level' : 'levels'}`
+    : `x ${at.x}, y ${at.y}, level ${at.level}`;
 }
 
 byId('map').addEventListener('change', ({ target }) => {
@@ -315,6 +320,7 @@ byId('map').addEventListener('change', ({ target }) => {
 
 async function lookAtMap() {
   await sync.settled(); // it may be a new one
+  if (caster.currentView === null) return;
   const { width, depth } = sizeOf(scene, editor.map);
   caster.look({ map: editor.mapName, x: width / 2, y: depth / 2, z: 4, flying: true });
   for (const view of Object.values(flat)) view.fit();
@@ -341,6 +347,7 @@ async function showView(name) {
   const isWide = matchMedia('(min-width: 1500px)').matches;
   byId('picture-view').hidden = name !== 'picture' && !isWide;
   for (const other of ['plan', 'side', 'text']) byId(`${other}-view`).hidden = other !== name;
+  for (const part of document.querySelectorAll('[data-of]')) part.hidden = part.dataset.of !== name;
   for (const button of document.querySelectorAll('[data-view]'))
     button.setAttribute('aria-pressed', String(button.dataset.view === name));
   if (name === 'text' && textView === null) {
@@ -358,32 +365,60 @@ function flatView() {
   return Object.entries(flat).find(([name]) => !byId(`${name}-view`).hidden)?.[1];
 }
 
+// Keys go to what is seen, so that Space flies: a button that a pointer pressed does not keep them,
+// nor any while the pointer is over a view. Who works by keys alone stays on the button.
+const kKeepsNoKeys = 'button, summary, a, input[type=checkbox]';
+function giveKeys() {
+  const { activeElement } = document;
+  if (!activeElement.matches(kKeepsNoKeys) || document.querySelector('dialog[open]') !== null)
+    return;
+  activeElement.blur();
+  flatView()?.canvas.focus({ preventScroll: true });
+}
+addEventListener('click', ({ detail }) => detail > 0 && giveKeys());
+for (const view of document.querySelectorAll('#picture, .flat'))
+  view.addEventListener('pointerenter', giveKeys);
+
 // ---- Walking
 
 async function walk(isOn) {
-  if (isOn === isWalking()) return;
+  if (isOn === isWalking() || caster.currentView === null) return;
+  document.body.toggleAttribute('data-walking', isOn);
+  byId('walk').textContent = isOn ? 'Back to editing' : 'Walk';
+  byId('walk').title = isOn ? 'Back to editing (Escape)' : 'Walk (Tab)';
+  byId('walking').hidden = !isOn;
+  pictureView.isOn = !isOn;
+  tour.look();
   if (isOn) {
+    editor.cancel();
     await showView('picture');
     await sync.settled();
-    document.body.setAttribute('data-walking', '');
-    byId('walking').hidden = false;
-    pictureView.isOn = false;
+    if (!isWalking()) return;
     caster.mark([]);
     caster.interaction = 'walk';
-    caster.land();
+    standOnGround();
     await new Promise(requestAnimationFrame); // the element takes attributes a moment later
-    caster.enter();
+    if (isWalking()) caster.enter({ touch: isTouch() });
   } else {
-    document.body.removeAttribute('data-walking');
-    byId('walking').hidden = true;
     caster.pause();
     caster.interaction = 'none';
     caster.flying = true;
-    pictureView.isOn = true;
     sync.renew();
   }
-  byId('walk').textContent = isOn ? 'Build' : 'Walk';
-  tour.look();
+}
+
+caster.addEventListener('enterchange', ({ detail }) =>
+  document.body.toggleAttribute('data-steering', detail.entered),
+);
+
+// Under the eye, without the time that a fall takes, and looking ahead: who builds looks down.
+function standOnGround() {
+  caster.land();
+  caster.look({ ...caster.currentView, look: 0 });
+  for (let z = Infinity; !caster.player.onGround && caster.player.z < z;) {
+    ({ z } = caster.player);
+    caster.step(12);
+  }
 }
 
 // ---- The first steps
@@ -438,7 +473,7 @@ openDialog(byId('files'), byId('open-files'), {
   },
 });
 keyHelp(byId('keys'), byId('open-keys'), kTools);
-listenToKeys(actions, camera, kTools, { isWalking });
+listenToKeys(actions, camera, kTools, { isWalking, isSteering: () => caster.entered });
 
 if (beginning.text !== world.text) toast('Your world is as you left it.');
 if (world.isStranger && before === null)
@@ -461,6 +496,7 @@ function start() {
   });
   caster.look({ ...view, z: view.z + 1.2, flying: true });
   document.body.dataset.state = 'ready';
+  byId('walk').disabled = false;
   tour.begin({ once: !new URL(location.href).searchParams.has('tour') });
   saveBar.settle();
   // For the browser's console, and for tests.
@@ -471,13 +507,13 @@ function start() {
 
 function colourOf(blueprint) {
   const name = textureOf(blueprint, 'top') ?? textureOf(blueprint, 'north');
-  return name === null ? null : pictures.meanOf(name);
+  return name === null ? waterOf(blueprint) : pictures.meanOf(name);
 }
 
 let toastTimer = 0;
 function toast(text) {
   const line = byId('toast');
-  line.textContent = text;
+  line.textContent = inTouch(text);
   line.classList.add('shown');
   clearTimeout(toastTimer);
   toastTimer = setTimeout(() => line.classList.remove('shown'), 3500);

@@ -3,11 +3,15 @@
 //
 //     boxLines('yard', { west: 1, north: 2, east: 2, south: 3, low: 0, high: 1 }, kBrass)
 //     cellLines('yard', { level: 0, x: 1, y: 2 }, kBrass)          // the cell's box
+//     edgeLines('yard', { width: 12, depth: 8 })                   // where the map ends
 //     faceLines('yard', cell, 'top', kBrass, extentOf(blueprint))  // one face of a block in it
 
 export const kBrass = '#ecc862';
 export const kCoral = '#e3835f';
 export const kSea = '#7fc4e8';
+const kEdge = '#f7f1e1';
+
+const kPost = 1; // units: of the corners of a map's edge
 
 const kWhole = { low: 0, high: 1, west: 0, north: 0, east: 1, south: 1 };
 
@@ -48,6 +52,12 @@ export function linesOf(map, edges, colour) {
     edges.reduce((most, { to }) => Math.max(most, to[axis]), -Infinity),
   );
   return boxLines(map, { west, north, low, east, south, high }, colour);
+}
+
+export function edgeLines(map, { width, depth }) {
+  const box = { west: 0, north: 0, east: width, south: depth, low: 0, high: kPost };
+  // On the ground, and upright at the corners.
+  return boxLines(map, box, kEdge).filter(({ from }) => from[2] === 0);
 }
 
 export function cellLines(map, cell, colour, extent = kWhole) {

@@ -11,6 +11,7 @@ import { kLinkLooks } from './link-looks.js';
 import { kindsOf } from './kinds.js';
 import { pictureOf } from './files/shipped.js';
 import { tableOf } from './names.js';
+import { paintThing } from './thing-icons.js';
 import { thing } from './tools/thing.js';
 
 const kIcon = 44; // CSS pixels
@@ -58,10 +59,15 @@ export class Palette {
         }));
       case 'things':
         return [
-          { key: 'start', name: 'Start', choice: { thing: 'start' }, paint: paintFlag },
-          { key: 'lamp', name: 'Lamp', choice: { thing: 'lamp' }, paint: paintLamp },
-          { key: 'message', name: 'Message', choice: { thing: 'message' }, paint: paintMessage },
-          { key: 'goal', name: 'Goal', choice: { thing: 'goal' }, paint: paintGoal },
+          { key: 'start', name: 'Start', choice: { thing: 'start' }, paint: paintKind('start') },
+          { key: 'lamp', name: 'Lamp', choice: { thing: 'lamp' }, paint: paintKind('lamp') },
+          {
+            key: 'message',
+            name: 'Message',
+            choice: { thing: 'message' },
+            paint: paintKind('message'),
+          },
+          { key: 'goal', name: 'Goal', choice: { thing: 'goal' }, paint: paintKind('goal') },
           ...kFinds.map(({ name, picture }) => ({
             key: `find ${name}`,
             name: `Find: ${name}`,
@@ -194,21 +200,11 @@ export class Palette {
   }
 }
 
-function paintFlag(icon) {
-  paintShape(icon, '#e3835f', 'M5 1h2v14H5zM7 2h7l-2 3 2 3H7z');
-}
-
-function paintLamp(icon) {
-  paintShape(icon, '#ffd98a', 'M6 2h4v1h2v2h1v4h-1v2h-2v2H6v-2H4V9H3V5h1V3h2zM6 14h4v1H6z');
-}
-
-function paintMessage(icon) {
-  paintShape(icon, kLinkLooks.message.colour, 'M2 3h12v8H8l-4 3v-3H2zM4 5v1h8V5zM4 8v1h6V8z');
-}
-
-function paintGoal(icon) {
-  paintShape(icon, kLinkLooks.goal.colour, 'M3 2h7v2H5v8h5v2H3zM8 7h4V5l3 3-3 3V9H8z');
-}
+const paintKind = (kind) => (icon) => {
+  const context = icon.getContext('2d');
+  context.clearRect(0, 0, icon.width, icon.height);
+  paintThing(context, kind, icon.width);
+};
 
 // In the corner: one takes it along.
 function paintStar(icon) {
@@ -217,12 +213,4 @@ function paintStar(icon) {
   context.fillStyle = kLinkLooks.find.colour;
   context.fill(new Path2D('M2.5 0l1 1.7 1.8.8-1.8.8-1 1.7-1-1.7L-.3 2.5l1.8-.8z'));
   context.resetTransform();
-}
-
-function paintShape(icon, colour, path) {
-  const context = icon.getContext('2d');
-  context.setTransform(icon.width / 16, 0, 0, icon.height / 16, 0, 0);
-  context.clearRect(0, 0, 16, 16);
-  context.fillStyle = colour;
-  context.fill(new Path2D(path), 'evenodd');
 }

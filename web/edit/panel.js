@@ -2,7 +2,7 @@
 // with a form. Takes an editor and the schema; the forms give changes to the history.
 //
 //     const panel = new Panel(editor, schema);
-//     panel.show();                // after another choice
+//     panel.show({ sign: '#' });   // after another choice
 //     panel.showTab('map');
 
 import { SchemaForm } from './forms/schema-form.js';
@@ -21,7 +21,6 @@ const byId = (id) => document.getElementById(id);
 export class Panel {
   #editor;
   #forms;
-  #lastEdited = null;
 
   constructor(editor, schema) {
     this.#editor = editor;
@@ -43,12 +42,10 @@ export class Panel {
     this.#fill();
   }
 
-  // A thing that was touched comes to the front.
-  show() {
-    const { edited } = this.#editor;
-    const isOther = edited !== null && edited !== this.#lastEdited;
-    this.#lastEdited = edited;
-    if (isOther) this.showTab('thing');
+  // What was touched or chosen comes to the front: a thing, another tool, another block.
+  show({ edited = null, sign, tool } = {}) {
+    if (edited !== null || tool?.hasThings) this.showTab('thing');
+    else if (sign !== undefined || tool !== undefined) this.showTab('kind');
     else this.#fill();
   }
 

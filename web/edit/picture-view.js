@@ -7,7 +7,9 @@
 // The left button works, the right one removes, or turns the eye when it is dragged; the middle
 // one, or Alt, picks. One finger works, two fingers turn and fly.
 
+import { sizeOf } from './cells.js';
 import { handlesOf } from './handles.js';
+import { edgeLines } from './mark-lines.js';
 import { valueAt } from './things.js';
 
 const kSlack = 4; // CSS pixels that a click may move
@@ -101,6 +103,7 @@ export class PictureView {
   // Where the pointer is, once more: the world has changed under it.
   refresh() {
     this.#marked = ''; // another world has no marks
+    this.#mark();
     this.#ask();
   }
 
@@ -125,7 +128,7 @@ export class PictureView {
       this.#editor.pick(target);
       return;
     }
-    this.#begin(target, event.ctrlKey);
+    this.#begin(target, event.ctrlKey || this.#editor.removes);
   }
 
   #begin(target, removes) {
@@ -142,7 +145,7 @@ export class PictureView {
     const [here, above] = [z, z + 1].map((height) => this.#caster.project(x, y, height, mapName));
     if (here === null || above === null) return false;
     this.#press.lift = { z, perUnit: above.clientY - here.clientY, from: this.#press.y };
-    this.#editor.press(target);
+    this.#editor.press(target, { removes: false });
     return true;
   }
 
@@ -228,18 +231,13 @@ export class PictureView {
   }
 
   #point() {
-    if (
-      !this.isOn ||
-      this.#press?.isTurning ||
-      this.#place === null ||
-      this.#caster.currentView === null
-    )
-      return;
+    if (!this.isOn || this.#press?.isTurning || this.#place === null) return;
     const target = this.#find(...this.#place);
     if (target !== null || this.#editor.stroke === null) this.#editor.point(target);
   }
 
   #find(clientX, clientY) {
+    if (this.#caster.currentView === null) return null;
     const { scene, stroke } = this.#editor;
     const lift = this.#press?.lift;
     if (stroke !== null && lift !== undefined)
@@ -299,7 +297,9 @@ export class PictureView {
   #mark() {
     if (!this.isOn || this.#caster.world === null) return;
     const maps = this.#caster.world.maps.map(({ name }) => name);
-    const lines = this.#editor.marks.filter(({ map }) => maps.includes(map));
+    const { scene, map, mapName, marks } = this.#editor;
+    const all = [...edgeLines(mapName, sizeOf(scene, map)), ...marks];
+    const lines = all.filter(({ map }) => maps.includes(map));
     const said = JSON.stringify(lines);
     if (said === this.#marked) return;
     this.#marked = said;

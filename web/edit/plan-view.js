@@ -13,6 +13,9 @@ import { isInside, sizeOf } from './cells.js';
 import { extentOf } from './shapes.js';
 import { kindsOf } from './kinds.js';
 import { handlesOf } from './handles.js';
+import { kLinkLooks } from './link-looks.js';
+import { paintThing, thingColour } from './thing-icons.js';
+import { valueAt } from './things.js';
 import { PlanLinks } from './plan-links.js';
 import { paintOverlay } from './plan-overlay.js';
 import { textureOfTile } from './tiles.js';
@@ -20,6 +23,10 @@ import { textureOfTile } from './tiles.js';
 const kMostScale = 96; // CSS pixels a tile
 const kGridFrom = 7; // from this scale on there are lines between tiles
 const kBelow = 0.38; // of what a level below shows through
+const kInside = 0.05; // units from the edge of the map, at least, in a stroke
+const [kLeastIcon, kMostIcon] = [14, 30]; // CSS pixels, of things
+const kDot = 4.5; // CSS pixels, of ends of portals: their frames and arrows are links
+const kShare = 0.9; // of it, by the picture of an object
 const kNear = 10; // CSS pixels from the middle of a thing
 
 const kArrows = { ArrowUp: [0, -1], ArrowRight: [1, 0], ArrowDown: [0, 1], ArrowLeft: [-1, 0] };
@@ -35,7 +42,7 @@ export class PlanView extends CanvasView {
     super(canvas, editor, kMostScale);
     this.#colours = colours;
     this.#caster = caster;
-    this.#links = new PlanLinks(canvas.parentElement.querySelector('.legend'));
+    this.#links = new PlanLinks(document.querySelector('.legend'));
     editor.scene.listen(({ cells, isWhole }) => {
       if (isWhole) this.#version += 1;
       else for (const { map, layer } of cells) this.#images.delete(`${map} ${layer}`);
@@ -88,7 +95,9 @@ export class PlanView extends CanvasView {
 
   // In the plan a block is placed where one points, and replaces what stands there.
   find([x, y]) {
-    const { scene, map, mapName, level } = this.editor;
+    const { scene, map, mapName, level, stroke } = this.editor;
+    // A stroke goes on to the edge of the map.
+    if (stroke !== null) [x, y] = this.#within([x, y]);
     const at = { level, x: Math.floor(x), y: Math.floor(y) };
     if (!isInside(scene, map, at)) return null;
     return {
@@ -101,6 +110,12 @@ export class PlanView extends CanvasView {
       thing: this.editor.tool.hasThings ? this.#thingNear(x, y) : null,
       view: 'plan',
     };
+  }
+
+  #within([x, y]) {
+    const { width, depth } = this.#size;
+    const limit = (at, end) => Math.max(kInside, Math.min(end - kInside, at));
+    return [limit(x, width), limit(y, depth)];
   }
 
   #thingNear(x, y) {
@@ -116,7 +131,7 @@ export class PlanView extends CanvasView {
   // ---- Drawing
 
   paint(context) {
-    const { scene, map, level, tool, way } = this.editor;
+    const { map, level, tool, way } = this.editor;
     const { width, depth, levels } = this.#size;
     const { scale } = this;
     context.fillStyle = this.#colours.floor(map) ?? '#5a5148';
@@ -136,7 +151,7 @@ export class PlanView extends CanvasView {
     if (scale >= kGridFrom) this.grid(context, countTo(width), countTo(depth), this.bounds);
     this.#section(context, width, depth);
     this.#links.draw(context, this.editor, scale);
-    this.#things(context, scene.value.maps[map]);
+    this.#things(context, map);
     this.#eye(context);
   }
 
@@ -231,15 +246,40 @@ export class PlanView extends CanvasView {
   }
 
   #things(context, map) {
-    for (const { x, y } of map.objects ?? []) this.dot(context, [x, y], '#8fce7a');
-    for (const { x, y } of map.baked?.lamps ?? []) this.dot(context, [x, y], '#ffe9a0');
-    for (const { x, y } of Object.values(map.places ?? {})) this.dot(context, [x, y], '#f7f1e1');
-    const { start, maps } = this.editor.scene.value;
-    if (start === undefined || (start.map ?? maps[0].name) !== map.name) return;
-    const { x, y, heading = 0 } = start;
-    const angle = (heading * Math.PI) / 180;
-    this.dot(context, [x, y], '#e3835f');
-    this.arrow(context, [x, y], [x + Math.cos(angle), y + Math.sin(angle)], '#e3835f');
+    const { scene, target, edited } = this.editor;
+    const { start } = scene.value;
+    const size = Math.max(kLeastIcon, Math.min(kMostIcon, this.scale));
+    for (const { path, kind, x, y } of handlesOf(scene, map, null)) {
+      if (kind === 'way') continue; // drawn with its links
+      if (kind === 'start') {
+        const angle = ((start.heading ?? 0) * Math.PI) / 180;
+        this.arrow(context, [x, y], [x + Math.cos(angle), y + Math.sin(angle)], thingColour(kind));
+      }
+      context.save();
+      context.translate(x * this.scale, y * this.scale);
+      const is = (other) => String(other) === String(path);
+      if (is(target?.thing) || is(edited)) halo(context, kind === 'portal' ? 2 * kDot : size);
+      if (kind === 'object') this.#object(context, valueAt(scene.value, path), size);
+      else if (kind === 'portal') disc(context, kDot, kLinkLooks.portal.colour);
+      else {
+        context.translate(-size / 2, -size / 2);
+        paintThing(context, kind, size);
+      }
+      context.restore();
+    }
+  }
+
+  // Its picture; a dot until it is there.
+  #object(context, { sprite, find }, size) {
+    const image = this.#colours.sprite(sprite);
+    if (image === null) {
+      this.dot(context, [0, 0], thingColour('object'));
+      return;
+    }
+    if (find === undefined) backing(context, size);
+    const scale = (size * kShare) / Math.max(image.width, image.height);
+    const [width, height] = [image.width * scale, image.height * scale];
+    context.drawImage(image, -width / 2, -height / 2, width, height);
   }
 
   #eye(context) {
@@ -247,4 +287,20 @@ export class PlanView extends CanvasView {
     if (view === null || view.map !== this.editor.mapName) return;
     this.eye(context, [view.x, view.y], (view.heading * Math.PI) / 180);
   }
+}
+
+function backing(context, size) {
+  disc(context, size / 2, 'rgb(247 241 225 / 0.5)');
+}
+
+// Of what is pointed at or edited.
+function halo(context, size) {
+  disc(context, size / 2 + 3, '#ffffff');
+}
+
+function disc(context, radius, colour) {
+  context.beginPath();
+  context.arc(0, 0, radius, 0, 2 * Math.PI);
+  context.fillStyle = colour;
+  context.fill();
 }

@@ -275,7 +275,7 @@ export class Selecting {
     const part = this.#part();
     if (part === null) return false;
     await this.#page.stamps.copy(part);
-    this.#page.tell('Copied. Ctrl+V pastes it, also in another tab.');
+    this.#page.tell('Copied. Paste puts it where you point, also in another tab.');
     return true;
   }
 

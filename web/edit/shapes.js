@@ -3,10 +3,12 @@
 //
 //     extentOf(blueprint)                       // {low, high, west, north, east, south}: 0 to 1
 //     textureOf(blueprint, 'top')               // a texture's name, or null
+//     waterOf(blueprint)                        // the colour in water, or null
 //     withFace(blueprint, 'top', 'moss')        // the same with another texture there
 //     withHeight(blueprint, 'top', 0.5)
 
 export const kFaces = ['north', 'east', 'south', 'west', 'top', 'bottom'];
+const kWater = '#265c68'; // as the engine has it
 const kSides = ['north', 'east', 'south', 'west'];
 
 export function extentOf({ bottom = 0, top = 1, plan = [0, 0, 1, 1] } = {}) {
@@ -29,6 +31,10 @@ export function faceOf({ faces = {} }, face) {
 export function textureOf(blueprint, face) {
   const found = faceOf(blueprint, face);
   return typeof found === 'string' ? found : (found?.texture ?? null);
+}
+
+export function waterOf({ water }) {
+  return water ? (water.colour ?? kWater) : null;
 }
 
 // Light, glow and the like of that face stay.

@@ -13,9 +13,12 @@ const kIcons = {
   thing: 'M7 9h2v6H7zM5 1h6v2h2v4h-2v2H5V7H3V3h2z',
   shape: 'M7 2h2v2h2v2H9v4h2v2H9v2H7v-2H5v-2h2V6H5V4h2z',
   link: 'M2 6h5v2H4v2h3v2H2zM9 6h5v6H9v-2h3V8H9zM6 8h4v2H6zM7 2h2v2H7z',
+  removes: 'M2 3h2l4 4 4-4h2v2l-4 3 4 4v2h-2l-4-4-4 4H2v-2l4-4-4-3z',
   // Ways of tools
   solid: 'M3 3h10v10H3z',
   hollow: 'M2 2h12v12H2zM5 5v6h6V5z',
+  pool: 'M1 3h3v8h8V3h3v11H1zM5 6h2v1h2V6h2v4H5z',
+  pond: 'M1 5h3v2h3V5h3v2h3V5h2v3h-2v2h-3V8H7v2H4V8H1zM4 12h8v2H4z',
   walls: 'M2 2h3v12H2zM11 2h3v12h-3z',
   'what is pointed at': 'M7 1h2v4H7zM7 11h2v4H7zM1 7h4v2H1zM11 7h4v2h-4zM7 7h2v2H7z',
   floor: 'M1 11h14v3H1zM7 2h2v4h2L8 9 5 6h2z',

@@ -1,5 +1,6 @@
-// The ways of the chosen tool as a small row of buttons over the view, and the end of what takes
-// several clicks. Takes an editor; gives choices.
+// The ways of the chosen tool as a small row of buttons over the view, the end of what takes some
+// clicks, and a switch that removes, for fingers, which have no right button.
+// Takes an editor; gives choices.
 //
 //     new ToolWays(row, editor);
 
@@ -17,16 +18,25 @@ export class ToolWays {
   }
 
   #show() {
-    const { tool, way, pending } = this.#editor;
+    const { tool, way, pending, removes, isTouch } = this.#editor;
     const ways = tool.ways ?? [];
-    this.#row.hidden = ways.length === 0 || tool.hasSelection === true; // whose bar has them
+    const hasSwitch = tool.canRemove === true && (isTouch || removes);
+    const hasOwnBar = tool.hasSelection === true;
+    this.#row.hidden = (ways.length === 0 && !hasSwitch) || hasOwnBar;
     if (this.#row.dataset.tool !== tool.name) {
       this.#row.dataset.tool = tool.name;
       this.#row.setAttribute('aria-label', `${tool.label}: what it makes`);
-      this.#row.replaceChildren(...ways.map((one) => this.#button(one)), this.#done());
+      this.#row.replaceChildren(
+        ...ways.map((one) => this.#button(one)),
+        this.#switch(),
+        this.#done(),
+      );
     }
     for (const button of this.#row.querySelectorAll('[data-way]'))
       button.setAttribute('aria-pressed', String(button.dataset.way === way));
+    const removing = this.#row.querySelector('.removes');
+    removing.hidden = !hasSwitch;
+    removing.setAttribute('aria-pressed', String(removes));
     this.#row.querySelector('.done').hidden = pending === null || pending.kind !== 'way';
   }
 
@@ -41,6 +51,16 @@ export class ToolWays {
     words.textContent = label;
     button.append(iconOf(way), words);
     button.addEventListener('click', () => this.#editor.choose({ way }));
+    return button;
+  }
+
+  #switch() {
+    const button = document.createElement('button');
+    button.type = 'button';
+    button.className = 'removes';
+    button.title = 'Take away instead of putting';
+    button.append(iconOf('removes'), 'Remove');
+    button.addEventListener('click', () => this.#editor.choose({ removes: !this.#editor.removes }));
     return button;
   }
 

@@ -7,17 +7,18 @@
 //
 // A step that speaks of a control puts data-told on it, for a ring around it.
 
+import { isTouch, listenToFingers } from './fingers.js';
+
 const kSeen = 'slicecast edit tour';
 const kFar = 1.5; // units that one flies before it counts
 const kPause = 900; // milliseconds between a step that is done and the next
-const isTouch = () => matchMedia('(pointer: coarse)').matches;
 
 const kSteps = [
   {
     title: 'Put a block',
     text: () =>
       isTouch()
-        ? 'Choose one below the picture, and tap where it is to stand. A drag puts a row.'
+        ? 'Choose one below the picture, and tap where it is to stand. A drag puts a row, Remove takes away, and Undo is above.'
         : 'Choose one below the picture, and click where it is to stand. A drag puts a row, the right button removes, and Ctrl+Z undoes.',
     ring: 'blocks',
     isDone: ({ scene, begun }) => scene.text !== begun.text,
@@ -39,8 +40,8 @@ const kSteps = [
     title: 'Walk in it',
     text: () =>
       isTouch()
-        ? 'Press Walk, above. You begin where you are; Build brings you back.'
-        : 'Press Walk, or Tab. You begin where you are; Tab again goes on building.',
+        ? 'Press Walk, above. You begin where you are; Back to editing ends it.'
+        : 'Press Walk, or Tab. You begin where you are; Escape brings you back.',
     ring: 'walk',
     isDone: ({ isWalking }) => isWalking(),
   },
@@ -66,6 +67,7 @@ export class Tour {
     card.querySelector('[data-next]').addEventListener('click', () => this.#go(this.#step + 1));
     card.querySelector('[data-skip]').addEventListener('click', () => this.#end());
     parts.scene.listen(() => this.look());
+    listenToFingers(() => this.#tell());
     parts.caster.addEventListener('viewchange', () => this.look());
   }
 
@@ -93,15 +95,19 @@ export class Tour {
     }
     this.#step = step;
     this.#begun = { text: scene.text, view: caster.currentView };
-    const { title, text, ring } = kSteps[step];
+    const { title, ring } = kSteps[step];
     const part = (name) => this.#card.querySelector(`[data-${name}]`);
     part('count').textContent = `${step + 1} of ${kSteps.length}`;
     part('title').textContent = title;
-    part('text').textContent = text();
+    this.#tell();
     part('next').textContent = step === kSteps.length - 1 ? 'Done' : 'Next';
     this.#ring(find(ring));
     this.#card.dataset.state = 'shown';
     this.#card.hidden = false;
+  }
+
+  #tell() {
+    this.#card.querySelector('[data-text]').textContent = kSteps[this.#step].text();
   }
 
   #end() {

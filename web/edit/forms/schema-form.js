@@ -12,6 +12,10 @@ import { valueAt } from '../things.js';
 import { kindOfValue } from './schema.js';
 
 const kNever = new Set(['$schema', 'levels', 'tiles']); // rows are drawn
+const kLast = ['comment', 'data'];
+const kColour = /^#[0-9a-f]{6}$/i;
+const kMostRows = 8; // of a text
+const kRow = 30; // characters in a row of it
 const kSummary = 40; // characters of a value beside its title
 let ids = 0;
 
@@ -22,30 +26,71 @@ export class SchemaForm {
   #leaveOut;
   #open = new Set(); // paths, as texts, of parts that are open
   #path = null;
+  #isLeft = false; // the field that changes has no longer the focus
+  #isPressed = false; // the pointer is
+  #isDue = false; // to be shown anew
+  #about = document.createElement('p'); // what the line means that is pointed at or focused
 
   constructor(parent, editor, schema, { leaveOut = [] } = {}) {
     this.#parent = parent;
     this.#editor = editor;
     this.#schema = schema;
     this.#leaveOut = new Set([...kNever, ...leaveOut]);
-    editor.scene.listen(({ isWhole }) => isWhole && this.show(this.#path));
+    editor.scene.listen(({ isWhole }) => isWhole && this.#renew());
+    parent.addEventListener('pointerdown', () => (this.#isPressed = true));
+    for (const type of ['pointerup', 'pointercancel'])
+      addEventListener(type, () => {
+        this.#isPressed = false;
+        setTimeout(() => this.#catchUp());
+      });
+    this.#about.className = 'meaning';
+    this.#about.hidden = true;
+    parent.after(this.#about);
+    for (const type of ['pointerover', 'focusin'])
+      parent.addEventListener(type, ({ target }) => this.#explain(target));
+    for (const type of ['pointerleave', 'focusout'])
+      parent.addEventListener(type, () => this.#explain(document.activeElement));
   }
 
   show(path) {
     this.#path = path;
+    this.#isDue = false;
     if (this.#parent.checkVisibility?.() === false) return;
     const value = path === null ? undefined : valueAt(this.#editor.scene.value, path);
     if (value === undefined) {
       this.#parent.replaceChildren();
       return;
     }
-    const focused = this.#parent.contains(document.activeElement)
-      ? document.activeElement.dataset.path
-      : undefined;
+    const active = this.#parent.contains(document.activeElement) ? document.activeElement : null;
+    const caret = active?.selectionStart ?? null; // null: of what is no text
+    const end = active?.selectionEnd;
     const name = keyed(path) ? [this.#renamer(path)] : [];
     this.#parent.replaceChildren(...name, ...this.#membersOf(path, value));
-    if (focused !== undefined)
-      this.#parent.querySelector(`[data-path="${CSS.escape(focused)}"]`)?.focus();
+    if (active?.dataset.path === undefined) return;
+    const same = this.#parent.querySelector(`[data-path="${CSS.escape(active.dataset.path)}"]`);
+    same?.focus();
+    if (caret !== null) same?.setSelectionRange?.(caret, end);
+  }
+
+  // A field that somebody leaves changes the form only when its next part has the focus, or is
+  // clicked: it must not go meanwhile.
+  #renew() {
+    if (!this.#isLeft) {
+      this.show(this.#path);
+      return;
+    }
+    this.#isDue = true;
+    setTimeout(() => this.#catchUp());
+  }
+
+  #catchUp() {
+    if (this.#isDue && !this.#isPressed) this.show(this.#path);
+  }
+
+  #explain(target) {
+    const line = this.#parent.contains(target) ? target.closest('[data-about]') : null;
+    this.#about.textContent = line?.dataset.about ?? '';
+    this.#about.hidden = line === null;
   }
 
   // What refers to a name goes with it. Else words say why that cannot be, and all stays.
@@ -83,7 +128,7 @@ export class SchemaForm {
     const kind = kindOfValue(said.kinds, value);
     if (kind === undefined) return [];
     const keys = new Set([...kind.keys.keys(), ...Object.keys(value)]);
-    if (keys.delete('comment')) keys.add('comment'); // last
+    for (const key of kLast) if (keys.delete(key)) keys.add(key);
     const lines = [...keys]
       .filter((key) => !this.#leaveOut.has(key))
       .map((key) =>
@@ -111,7 +156,7 @@ export class SchemaForm {
     line.className = 'field';
     const label = document.createElement('label');
     label.textContent = titleOf(said, key);
-    label.title = said.about;
+    explain(line, said);
     const field = this.#control(path, said, kind, value, isNeeded);
     field.id = `form-${(ids += 1)}`;
     field.dataset.path = String(path);
@@ -121,6 +166,8 @@ export class SchemaForm {
       field.setAttribute('aria-label', `${key}: value`);
       line.append(this.#nameInput(path), field);
     } else line.append(label, field);
+    if (field.tagName === 'TEXTAREA') line.classList.add('long');
+    if (kind.isColour || kColour.test(value)) line.append(this.#swatch(path, field));
     const others = said.kinds.filter((other) => other !== kind && other.type !== 'text');
     const richer = others.find(({ type }) => type === 'object');
     if (richer !== undefined) line.append(this.#richer(path, richer, value));
@@ -155,7 +202,8 @@ export class SchemaForm {
       );
       return select;
     }
-    const input = document.createElement('input');
+    const isLong = kind.isLong === true;
+    const input = document.createElement(isLong ? 'textarea' : 'input');
     const isNumber = kind.type === 'number' || kind.type === 'integer';
     if (isNumber) {
       input.type = 'number';
@@ -168,11 +216,17 @@ export class SchemaForm {
     }
     input.placeholder = fallback === undefined ? '' : textOf(fallback);
     input.value = value === undefined ? '' : textOf(value);
-    input.spellcheck = false;
+    input.spellcheck = isLong;
+    if (isLong) input.rows = Math.min(kMostRows, rowsOf(input.value));
     const isList = kind.type === 'list';
     input.required = isNeeded && !isList;
     input.addEventListener('input', () => input.setCustomValidity(''));
     input.addEventListener('change', () => {
+      this.#isLeft = document.activeElement !== input;
+      take();
+      this.#isLeft = false;
+    });
+    const take = () => {
       if (input.value === '' && !isNeeded) {
         this.#set(path, undefined);
         return;
@@ -182,8 +236,19 @@ export class SchemaForm {
         input.setCustomValidity(`Found "${input.value}", expected numbers with commas between.`);
       if (!input.reportValidity()) return;
       this.#set(path, isList ? list : isNumber ? Number(input.value) : input.value);
-    });
+    };
     return input;
+  }
+
+  // Chooses a colour for the field beside it.
+  #swatch(path, field) {
+    const swatch = document.createElement('input');
+    swatch.type = 'color';
+    swatch.value = [field.value, field.placeholder].find((text) => kColour.test(text)) ?? '#000000';
+    swatch.title = 'Choose a colour';
+    swatch.setAttribute('aria-label', 'Choose a colour');
+    swatch.addEventListener('change', () => this.#set(path, swatch.value));
+    return swatch;
   }
 
   // A list of the scene's names, to choose from.
@@ -228,7 +293,7 @@ export class SchemaForm {
       button.type = 'button';
       button.className = 'quiet add-part';
       button.textContent = `+ ${name}`;
-      button.title = said.about;
+      explain(button, said);
       button.dataset.path = String(path);
       button.addEventListener('click', () => {
         this.#open.add(String(path));
@@ -241,7 +306,7 @@ export class SchemaForm {
     }
     const part = document.createElement('details');
     const summary = document.createElement('summary');
-    summary.title = said.about;
+    explain(summary, said);
     summary.dataset.path = String(path);
     const title = document.createElement('span');
     title.textContent = name;
@@ -352,6 +417,17 @@ export class SchemaForm {
 }
 
 const titleOf = ({ title }, key) => (/^\d+$/.test(key) ? `${title} ${key}`.trim() : title || key);
+
+// Said below the form for a line that is pointed at or focused.
+function explain(line, { about }) {
+  if (about !== '') line.dataset.about = about;
+}
+
+// About as many as the text needs, and room for another one.
+function rowsOf(text) {
+  const lines = text.split('\n').map((line) => Math.ceil(line.length / kRow) || 1);
+  return (text === '' ? 0 : 1) + lines.reduce((sum, count) => sum + count, 0);
+}
 
 const textOf = (value) => (Array.isArray(value) ? value.join(', ') : String(value));
 

@@ -11,7 +11,8 @@
 // A kind is one of the forms that a value may have:
 //
 //     { type: 'number' | 'integer', least, most }      { type: 'boolean' }
-//     { type: 'text', pattern, choices, names }        // `names`: 'textures' if it is one of those
+//     { type: 'text', pattern, choices, names,         // `names`: 'textures' if it is one of those
+//       isColour, isLong }                             // `isLong`: of several lines
 //     { type: 'list', item }                           // `item` is a part of the schema
 //     { type: 'object', keys: Map, needed: [...], rest }   // of keys with any name: `rest`;
 //                                                      // `always`: needed whatever else is said
@@ -27,6 +28,8 @@ const kNamesOf = new Map([
   ['follows', 'gates'],
   ['needs', 'finds'],
 ]);
+
+const kLong = 200; // characters that a text may have
 
 export class Schema {
   #root;
@@ -148,6 +151,7 @@ export class Schema {
         pattern: node.pattern,
         choices,
         isColour: node.pattern === '^#[0-9a-fA-F]{6}$',
+        isLong: type === 'string' && !node.pattern && (node.maxLength ?? Infinity) >= kLong,
         names: node.names ?? kNamesOf.get(key),
       });
   }

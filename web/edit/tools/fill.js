@@ -2,18 +2,18 @@
 // touch with a side. Takes a target; gives changes and lines to show. Knows no view.
 
 import { cellChanges, kEmpty, sizeOf } from '../cells.js';
-import { cellLines, kBrass, kCoral } from '../mark-lines.js';
+import { cellMarks, edgeHint } from './strokes.js';
 
 export const fill = {
   name: 'fill',
   label: 'Fill',
   key: 'F',
   about: 'Fills the cells of a level that are joined and alike.',
+  canRemove: true,
 
-  point({ mapName, cell, before }, { removes }) {
-    const at = removes ? cell : before;
-    return at === null ? [] : cellLines(mapName, at, removes ? kCoral : kBrass);
-  },
+  hint: edgeHint,
+
+  point: cellMarks,
 
   end({ targets, removes }, { scene, sign }) {
     const { map, cell, before } = targets.at(-1);

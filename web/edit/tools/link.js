@@ -2,7 +2,7 @@
 // Takes targets; gives changes, lines to show and what is to come next. Knows no view.
 
 import { areaChanges, tilesOf } from '../areas.js';
-import { isInside } from '../cells.js';
+import { clipped, isInside, kEdgeWords } from '../cells.js';
 import { gateAt, moverAt, openedByFind, openedByGate, plainAt } from '../gates.js';
 import { beside, blueprintAt, sideBox } from '../links.js';
 import { boxLines, cellLines, kBrass, kCoral } from '../mark-lines.js';
@@ -10,7 +10,14 @@ import { portalBetween, portalEnd } from '../portal-ends.js';
 import { pictureOf } from '../files/shipped.js';
 import { valueAt } from '../things.js';
 import { extentOf } from '../shapes.js';
-import { cross, dragHandle, handleMarks, removeHandle, turnHandle } from './handle-strokes.js';
+import {
+  cross,
+  dragHandle,
+  handleMarks,
+  removeHandle,
+  thingHint,
+  turnHandle,
+} from './handle-strokes.js';
 import { boxOfCells } from './strokes.js';
 
 const kWalk = 0.9; // of new patrols, units per second
@@ -19,14 +26,14 @@ const kSamePlace = 0.25; // units between two clicks that end a way
 const kHelp = {
   portal: 'Click a face or a tile, then the other end, also in another map.',
   gate: 'Click a block to make it a gate, then a thing that opens it or another gate.',
-  way: 'Click a figure or a block, then where it goes; Enter or a double click ends.',
+  way: 'Click a figure or a block, then where it goes; Done or a double click ends.',
   message: 'Drag over the tiles where the message comes.',
   goal: 'Drag over the tiles where the game ends.',
 };
 const kNext = {
-  portal: 'Now click the other end. Escape leaves it.',
+  portal: 'Now click the other end. Another tool leaves it.',
   gate: 'Now click what opens it: a thing to find, or a gate. The floor: whoever walks up to it.',
-  way: 'Click where it goes next. Enter or a double click ends, right click removes a point.',
+  way: 'Click where it goes next. Done or a double click ends, right click removes a point.',
   mover: 'Now click how far it moves.',
 };
 
@@ -35,6 +42,8 @@ export const link = {
   label: 'Links',
   key: 'Y',
   about: 'Portals, gates, ways, messages and the goal. O chooses which.',
+  touch: 'Portals, gates, ways, messages and the goal.',
+  canRemove: true,
   ways: ['portal', 'gate', 'way', 'message', 'goal'],
   waysAbout: kHelp,
   isFree: true,
@@ -42,6 +51,8 @@ export const link = {
   hasCorners: (way) => isArea(way),
 
   help: ({ way, pending }) => kNext[pending?.kind] ?? kHelp[way] ?? '',
+
+  hint: thingHint,
 
   point(target, context) {
     return [...handleMarks(target, context), ...preview(target, context)];
@@ -51,7 +62,7 @@ export const link = {
   show(stroke, context) {
     const [{ thing: found, mapName }] = stroke.targets;
     if (found !== null || !isArea(context.way)) return link.point(stroke.targets.at(-1), context);
-    const box = areaOf(stroke);
+    const box = areaOf(stroke, context);
     if (box === null) return [];
     const { from, to } = box;
     const { level } = from;
@@ -96,7 +107,7 @@ function portal(target, { scene, pending }) {
   const { thing: found } = target;
   if (pending === null && found?.[2] === 'portals') return []; // chosen
   const end = portalEnd(scene, target);
-  if (end === null) return { words: 'That is outside the map.' };
+  if (end === null) return { words: kEdgeWords };
   if (pending === null) return { pending: { kind: 'portal', end } };
   const made = portalBetween(scene, pending.end, end);
   if (made.words !== undefined) return { words: made.words };
@@ -254,18 +265,19 @@ function insertPoint({ path, index }, [x, y]) {
 
 // ---- Areas
 
-function areaOf({ targets }) {
+function areaOf({ targets }, { scene }) {
   const places = targets.map(({ before, cell }) => before ?? cell).filter(Boolean);
-  return places.length === 0
-    ? null
-    : boxOfCells(places[0], { ...places.at(-1), level: places[0].level });
+  if (places.length === 0) return null;
+  const { level } = places[0];
+  return clipped(scene, targets[0].map, boxOfCells(places[0], { ...places.at(-1), level }));
 }
 
-function area(stroke, { scene, way: kind }) {
+function area(stroke, context) {
+  const { scene, way: kind } = context;
   const [{ thing: found, map }] = stroke.targets;
   if (found !== null) return []; // chosen, or moved
-  const box = areaOf(stroke);
-  if (box === null || !isInside(scene, map, box.from) || !isInside(scene, map, box.to)) return [];
+  const box = areaOf(stroke, context);
+  if (box === null) return [];
   return areaChanges(scene, kind, map, tilesOf(box));
 }
 

@@ -14,6 +14,8 @@ export const paint = {
   label: 'Paint',
   key: 'P',
   about: 'Drag over faces, floor or ceiling. Shift paints whole blocks. O: only floor or ceiling.',
+  touch: 'Drag over faces, floor or ceiling.',
+  canRemove: true,
   ways: ['what is pointed at', 'floor', 'ceiling'],
   isFree: true, // a drag is not bound to the plane where it began
 

@@ -3,7 +3,7 @@
 // Knows no view.
 
 import { carryChanges, placeOfThing } from '../carrying.js';
-import { kMostLevels, signReader, sizeOf } from '../cells.js';
+import { clipped, isInside, kEdgeWords, kMostLevels, signReader, sizeOf } from '../cells.js';
 import { kBrass, kCoral, kSea, linesOf } from '../mark-lines.js';
 import {
   boxAround,
@@ -31,13 +31,27 @@ export const select = {
   key: 'M',
   about:
     'Drag a box; the wheel adds levels. Drag what is selected to move it. O: box, kind, joined.',
+  touch: 'Drag a box. Drag what is selected to move it.',
   ways: ['box', 'same kind', 'joined'],
   hasSelection: true,
   hasCorners: (way) => way === 'box',
 
-  point(target, { selection, removes }) {
+  hint(stroke, context) {
+    const { map } = stroke.targets[0];
+    if (isMove(stroke, context)) {
+      const moved = moveOf(stroke, context);
+      const ends = Object.values(boxAround(context.selection.cells)).map(moved.cell);
+      const isIn = ends.every((cell) => isInside(context.scene, map, cell));
+      return isIn ? undefined : 'What lies outside the map is left out.';
+    }
+    const last = stroke.targets.map(placeOf).filter(Boolean).at(-1);
+    const isIn = last === undefined || isInside(context.scene, map, { ...last, level: 0 });
+    return isIn ? undefined : kEdgeWords;
+  },
+
+  point(target, { scene, selection, removes }) {
     const at = placeOf(target);
-    if (at === null) return [];
+    if (at === null || !isInside(scene, target.map, at)) return [];
     const isSelected = selection?.map === target.map && selection.cells.has(keyOf(at));
     return lines(
       target.mapName,
@@ -59,7 +73,7 @@ export const select = {
       return shiftedEdges(selection.outline, moveOf(stroke, context).by);
     }
     if (way !== 'box') return outlineOf(found(stroke, context));
-    const box = boxOfStroke(stroke);
+    const box = boxOfStroke(stroke, context);
     return box === null ? [] : boxEdges(box);
   },
 
@@ -124,21 +138,23 @@ function moveOf({ targets, height }, { selection }) {
   return { ...transformOf(box, undefined, by), by, isIdle };
 }
 
-function found(stroke, { scene, way }) {
+function found(stroke, context) {
+  const { scene, way } = context;
   const last = stroke.targets.map(placeOf).filter(Boolean).at(-1);
   if (last === undefined) return new Set();
   const { map } = stroke.targets[0];
   if (way === 'same kind') return sameKind(scene, map, last);
   if (way === 'joined') return joinedCells(scene, map, last);
-  return new Set(cellsIn(boxOfStroke(stroke)).map(keyOf));
+  const box = boxOfStroke(stroke, context);
+  return new Set(box === null ? [] : cellsIn(box).map(keyOf));
 }
 
-function boxOfStroke({ targets, height }) {
+function boxOfStroke({ targets, height }, { scene }) {
   const places = targets.map(placeOf).filter(Boolean);
   if (places.length === 0) return null;
   const last = places.at(-1);
-  const level = Math.max(0, Math.min(kMostLevels - 1, last.level + height));
-  return boxOfCells(places[0], { ...last, level });
+  const box = boxOfCells(places[0], { ...last, level: last.level + height });
+  return clipped(scene, targets[0].map, box);
 }
 
 export function sameKind(scene, map, { level, x, y }) {

@@ -13,6 +13,7 @@ export const shape = {
   label: 'Shape',
   key: 'H',
   about: 'The wheel raises and lowers the pointed top or underside. Drag edges in the side view.',
+  touch: 'Drag the edges of blocks in the side view, or write Top and Bottom into the panel.',
 
   point({ map, mapName, cell, face }, { scene }) {
     if (cell === null) return [];

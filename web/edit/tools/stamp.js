@@ -1,6 +1,7 @@
 // Puts a part of a world where one points, again and again: what was copied, or a stamp.
 // Takes targets; gives changes and lines to show. Knows no view.
 
+import { isInside } from '../cells.js';
 import { kBrass, linesOf } from '../mark-lines.js';
 import { cellsOfPart, pasteChanges, turnedPart } from '../parts.js';
 import { outlineOf, shiftedEdges } from '../selection.js';
@@ -10,7 +11,18 @@ export const stamp = {
   label: 'Stamp',
   key: 'K',
   about: 'Click puts the copied part or the chosen stamp. U turns it, I mirrors it, Escape ends.',
+  touch: 'Tap where the copied part or the chosen stamp is to stand.',
   hasStamps: true,
+
+  hint({ targets }, { scene, brush }) {
+    const target = targets.at(-1);
+    const at = brush === null ? null : cornerOf(target, brush);
+    if (at === null) return undefined;
+    const { width, depth } = turned(brush);
+    const ends = [at, { ...at, x: at.x + width - 1, y: at.y + depth - 1 }];
+    const isIn = ends.every((cell) => isInside(scene, target.map, cell));
+    return isIn ? undefined : 'What lies outside the map is left out. Map > Size makes it larger.';
+  },
 
   point(target, { brush }) {
     return linesOf(target.mapName, this.edges(target, { brush }), kBrass);

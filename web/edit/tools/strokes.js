@@ -4,8 +4,29 @@
 //     lineOf(from, to)            // each touches the next with a face or an edge
 //     boxOfCells(from, to)        // {from, to} with the smaller numbers in `from`
 //     cellsIn(box, 'hollow')      // 'solid', 'hollow' (its faces) or 'walls' (its sides)
+//     placesIn(stroke)            // the cells where it puts or removes
+//     edgeHint(stroke, context)   // words, if it points past the map
+//     cellMarks(target, context)  // lines around the cell that a click changes
+
+import { isInside, outsideWords } from '../cells.js';
+import { cellLines, kBrass, kCoral } from '../mark-lines.js';
 
 export const kMostCells = 1 << 20; // of one stroke
+
+export const placesIn = ({ targets, removes }) =>
+  targets.map(({ cell, before }) => (removes ? cell : before)).filter(Boolean);
+
+export function edgeHint(stroke, { scene }) {
+  const last = placesIn(stroke).at(-1) ?? null;
+  const { map } = stroke.targets[0];
+  return outsideWords(scene, map, last && { ...last, level: last.level + (stroke.height ?? 0) });
+}
+
+export function cellMarks({ map, mapName, cell, before }, { scene, removes }) {
+  const at = removes ? cell : before;
+  if (at === null || !isInside(scene, map, at)) return [];
+  return cellLines(mapName, at, removes ? kCoral : kBrass);
+}
 
 export function lineOf(from, to) {
   const axes = ['x', 'y', 'level'];
