@@ -542,6 +542,16 @@ for (const [width, height, isTouch] of [
       context: { hasTouch: isTouch, isMobile: isTouch },
     });
     const press = (what) => (isTouch ? page.tap(what) : page.click(what));
+    const cut = await told(page, () => {
+      const bar = document.getElementById('bar').getBoundingClientRect();
+      return [...document.querySelectorAll('#bar button:not([hidden])')]
+        .filter((button) => {
+          const { right, bottom } = button.getBoundingClientRect();
+          return right > bar.right || bottom > bar.bottom;
+        })
+        .map(({ id }) => id);
+    });
+    assert.deepEqual(cut, [], 'all of the bar is seen');
     const seen = new Set();
     const look = async (at) => {
       await frames(page, 1);
