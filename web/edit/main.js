@@ -19,7 +19,7 @@ import { History } from './history.js';
 import { keyHelp, listenToKeys } from './keys.js';
 import { KindPanel } from './kind-panel.js';
 import { MapPanel } from './map-panel.js';
-import { openWorld, readPicture } from './open-world.js';
+import { isVisit, openWorld, readPicture } from './open-world.js';
 import { Palette } from './palette.js';
 import { Panel } from './panel.js';
 import { Schema } from './forms/schema.js';
@@ -52,6 +52,12 @@ import { thing } from './tools/thing.js';
 
 const kTools = [place, line, box, fill, replace, paint, shape, thing, link, select, stamp];
 const byId = (id) => document.getElementById(id);
+
+// Whoever opens a link sees the world first; the play page leads here, to a copy.
+if (isVisit(new URL(location.href))) {
+  location.replace(`./${location.hash}`);
+  await new Promise(() => {});
+}
 
 const caster = byId('picture');
 const named = fetch(new URL('pictures.json', document.baseURI))
@@ -442,7 +448,7 @@ listenToKeys(actions, camera, kTools, { isWalking });
 
 if (beginning.text !== world.text) toast('Your world is as you left it.');
 if (world.isStranger && before === null)
-  toast('A world from a link. What you change stays in this browser.');
+  toast('A copy of a world from a link. What you change stays in this browser.');
 
 caster.addEventListener('ready', () => start(), { once: true });
 caster.addEventListener('error', ({ detail }) => {

@@ -33,7 +33,10 @@ export function shareDialog(dialog, button, { scene, own, ownPictures, world, sa
 
   function showLink() {
     const hasPictures = ownPictures.named.size > 0;
-    const link = scene.mistake === null && !hasPictures ? linkOf(scene.text, location.href) : null;
+    const link =
+      scene.mistake === null && !hasPictures
+        ? linkOf(scene.text, new URL('./', location.href))
+        : null;
     find('share-link').value = link ?? '';
     find('share-link').disabled = link === null;
     dialog.querySelector('[data-copy=share-link]').disabled = link === null;
