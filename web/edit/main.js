@@ -188,9 +188,9 @@ if (playable !== null)
     ...(world.home?.at === undefined ? {} : { live: 1 }),
   });
 byId('title').value = scene.value.title ?? '';
-byId('title').addEventListener('change', ({ target }) =>
-  history.do('Rename', [{ path: ['title'], value: target.value || undefined }]),
-);
+const rename = (title) =>
+  history.do('Rename', [{ path: ['title'], value: title.trim() || undefined }]);
+byId('title').addEventListener('change', ({ target }) => rename(target.value));
 const actions = {
   undo: () => back(history.undo(), 'Undone'),
   redo: () => back(history.redo(), 'Done again'),
@@ -426,7 +426,9 @@ const tab = new OneTab(world.name, byId('other-tab'), {
     saveBar.leave(() => location.assign(query));
   },
 });
-shareDialog(byId('share'), byId('open-share'), { scene, own, ownPictures, world, saveBar });
+shareDialog(byId('share'), byId('open-share'), {
+  ...{ scene, own, ownPictures, world, saveBar, rename },
+});
 byId('anew').parentElement.hidden = world.name.startsWith('file '); // there is no other copy
 openDialog(byId('files'), byId('open-files'), {
   importing: byId('import'),
