@@ -234,6 +234,58 @@ test('what was built is there again, and a link brings it to others', async (t) 
   await old.close();
 });
 
+test('the link comes first, takes a new name, and warns only where it is long', async (t) => {
+  const { page, server } = await openEditor(t);
+  await page.click('#open-share');
+  const first = await page.evaluate(() => document.activeElement.dataset.copy);
+  assert.equal(first, 'share-link', 'Enter copies it');
+  const tops = await page
+    .locator('#share :is(#share-link, #share-tag, #share-frame, #save-html, #save-zip)')
+    .evaluateAll((all) => all.map((one) => one.getBoundingClientRect().top));
+  assert.deepEqual(
+    tops,
+    tops.toSorted((one, other) => one - other),
+  );
+  const before = await page.inputValue('#share-link');
+  await page.fill('#share-name', 'A yard');
+  await page.press('#share-name', 'Tab');
+  assert.notEqual(await page.inputValue('#share-link'), before);
+  assert.match(await page.inputValue('#share-tag'), /scene="a-yard" .* label="A yard"/);
+  assert.equal(await page.inputValue('#title'), 'A yard');
+  assert.equal(await page.locator('#share .warning').count(), 0);
+  await page.click('#share [data-close]');
+
+  await page.goto(`${server.address}edit.html?scene=hill-abbey`);
+  await page.waitForFunction(() => document.body.dataset.state === 'ready');
+  await page.click('#open-share');
+  assert.match(await page.textContent('#share .warning'), /Send the HTML file instead/);
+});
+
+test('a link keeps the order of the palette, which shows something of each block', async (t) => {
+  const { page } = await openEditor(t, '?scene=castle');
+  const palette = () =>
+    page.locator('#palette [data-key]').evaluateAll((all) => all.map((one) => one.title));
+  const isPainted = () =>
+    page.waitForFunction(() =>
+      [...document.querySelectorAll('#palette canvas')].every((icon) => {
+        const { data } = icon.getContext('2d').getImageData(0, 0, icon.width, icon.height);
+        return data.some((value) => value > 0);
+      }),
+    );
+  await isPainted();
+  const kinds = await palette();
+  await page.keyboard.press('KeyP');
+  await isPainted();
+  const textures = await palette();
+  await page.click('#open-share');
+  await page.goto(await page.inputValue('#share-link'));
+  await page.click('#edit-copy');
+  await page.waitForFunction(() => document.body.dataset.state === 'ready');
+  assert.deepEqual(await palette(), kinds);
+  await page.keyboard.press('KeyP');
+  assert.deepEqual(await palette(), textures);
+});
+
 test('a world in a link cannot pose as a shipped one, and reaches nothing else', async (t) => {
   const { page, server } = await openEditor(t, '?template=meadow', { expectErrors: true });
   const asked = [];
