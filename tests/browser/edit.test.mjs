@@ -511,6 +511,7 @@ test('four steps begin the first visit, each done by doing it, and never come ag
       [count, title],
     );
   await at(1, 'Put a block');
+  assert.equal(await page.locator('[data-told]').count(), 0, 'only buttons get a ring');
   const middle = async () => {
     const box = await page.locator('#picture').boundingBox();
     return [box.x + box.width / 2, box.y + box.height * 0.8];

@@ -5,7 +5,7 @@
 //     tour.begin();            // from the first step
 //     tour.begin({ once: true })   // not if somebody has seen it in this browser
 //
-// A step that speaks of a control puts data-told on it, for a ring around it.
+// A step that speaks of a button puts data-told on it, for a ring around it.
 
 const kSeen = 'slicecast edit tour';
 const kFar = 1.5; // units that one flies before it counts
@@ -19,7 +19,6 @@ const kSteps = [
       isTouch()
         ? 'Choose one below the picture, and tap where it is to stand. A drag puts a row.'
         : 'Choose one below the picture, and click where it is to stand. A drag puts a row, the right button removes, and Ctrl+Z undoes.',
-    ring: 'blocks',
     isDone: ({ scene, begun }) => scene.text !== begun.text,
   },
   {
@@ -28,7 +27,6 @@ const kSteps = [
       isTouch()
         ? 'Two fingers turn the view; pull them apart to fly ahead.'
         : 'Drag with the right button to turn, and fly with W A S D. Space rises, C sinks.',
-    ring: 'picture-view',
     isDone({ caster, begun }) {
       const { x, y, z, heading } = caster.currentView;
       const turned = Math.abs(((heading - begun.view.heading + 540) % 360) - 180);
@@ -99,7 +97,7 @@ export class Tour {
     part('title').textContent = title;
     part('text').textContent = text();
     part('next').textContent = step === kSteps.length - 1 ? 'Done' : 'Next';
-    this.#ring(find(ring));
+    this.#ring(ring === undefined ? null : find(ring));
     this.#card.dataset.state = 'shown';
     this.#card.hidden = false;
   }
