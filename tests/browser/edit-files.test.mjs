@@ -708,6 +708,30 @@ for (const width of [360, 820, 1366])
     }
   });
 
+test('each world to begin with, and each shipped scene, is shown with a picture', async (t) => {
+  const { page } = await openEditor(t);
+  await page.click('#open-files');
+  const shown = (list) =>
+    page.locator(`#${list} button`).evaluateAll((all) =>
+      Promise.all(
+        all.map(async (button) => {
+          const image = button.querySelector('img');
+          image.loading = 'eager';
+          await image.decode();
+          return [button.textContent, image.naturalWidth > 100];
+        }),
+      ),
+    );
+  await page.waitForSelector('#remixes button');
+  const [worlds, scenes] = [await shown('templates'), await shown('remixes')];
+  assert.equal(worlds.length, 6);
+  assert.deepEqual(
+    worlds.filter(([, isDrawn]) => !isDrawn),
+    [],
+  );
+  assert.equal(scenes.length, 2, 'of the test server');
+});
+
 // ---- Hostile files
 
 test('zips that lead elsewhere or unpack to too much are refused, and nothing changes', async (t) => {

@@ -18,9 +18,9 @@ import {
 } from './editor-page.mjs';
 
 const kAxe = createRequire(import.meta.url).resolve('axe-core/axe.min.js');
-const { strToU8, zipSync } = createRequire(new URL('../../tools/package.json', import.meta.url))(
-  'fflate',
-);
+const { deflateSync, strToU8, zipSync } = createRequire(
+  new URL('../../tools/package.json', import.meta.url),
+)('fflate');
 const kCastle = readFileSync(new URL('../../assets/scenes/castle.json', import.meta.url), 'utf8');
 
 let browser;
@@ -29,6 +29,8 @@ before(async () => {
 });
 after(() => browser.close());
 
+const hashOf = (scene) =>
+  `#world=${Buffer.from(deflateSync(strToU8(JSON.stringify(scene)))).toString('base64url')}`;
 const openEditor = (t, query, options) => openTheEditor(t, browser, query, options);
 
 test('a first block is placed with one click, removed with another, and undone', async (t) => {
@@ -311,34 +313,152 @@ test('what was built is there again, and a link brings it to others', async (t) 
   await page.waitForFunction(() => document.body.dataset.state === 'ready');
   assert.equal(await textOf(page), text);
 
+  // Somebody else sees the world itself, and no editor.
   const other = await context.newPage();
   await other.goto(link);
-  await other.waitForFunction(() => document.body.dataset.state === 'ready');
-  assert.deepEqual(JSON.parse(await textOf(other)), JSON.parse(text));
-  assert.match(await other.textContent('#toast'), /from a link/);
-  await other.goto(`${server.address}edit.html#world=damaged`);
-  await other.reload();
-  await other.waitForFunction(() => document.body.dataset.state === 'failed');
-  assert.match(await other.textContent('#about'), /The link is damaged/);
+  await other.waitForFunction(() => document.body.dataset.state === 'paused');
+  assert.equal(await other.title(), 'From a link: “A meadow” · Slicecast');
+  assert.equal(await other.textContent('#pause-title'), '“A meadow”');
+  assert.ok((await other.locator('#play').boundingBox()).height >= 48);
+  assert.equal(await told(other, () => window.slicecast.game), null);
+  await other.click('#open-share');
+  assert.equal(await other.inputValue('#share-link'), link);
+  assert.deepEqual(await other.locator('#share-addresses textarea:visible').count(), 1);
+  await other.click('#share [data-close]');
+  await other.click('#play');
+  await other.waitForFunction(() => window.slicecast.entered);
   await other.close();
+  // So do those who have a link of earlier.
+  const old = await context.newPage();
+  await old.goto(`${server.address}edit.html${new URL(link).hash}`);
+  await old.waitForURL(link);
+  await old.waitForFunction(() => document.body.dataset.state === 'paused');
+  await old.click('#edit-copy');
+  await old.waitForFunction(() => document.body.dataset.state === 'ready');
+  assert.deepEqual(JSON.parse(await textOf(old)), JSON.parse(text));
+  assert.match(await old.textContent('#toast'), /A copy of a world from a link/);
+  await old.goto(`${server.address}#world=damaged`);
+  await old.waitForFunction(() => document.body.dataset.state === 'trouble');
+  assert.match(await old.textContent('#trouble-text'), /The link is damaged/);
+  await old.close();
+});
+
+test('the link comes first, takes a new name, and warns only where it is long', async (t) => {
+  const { page, server } = await openEditor(t);
+  await page.click('#open-share');
+  const first = await page.evaluate(() => document.activeElement.dataset.copy);
+  assert.equal(first, 'share-link', 'Enter copies it');
+  const tops = await page
+    .locator('#share :is(#share-link, #share-tag, #share-frame, #save-html, #save-zip)')
+    .evaluateAll((all) => all.map((one) => one.getBoundingClientRect().top));
+  assert.deepEqual(
+    tops,
+    tops.toSorted((one, other) => one - other),
+  );
+  const before = await page.inputValue('#share-link');
+  await page.fill('#share-name', 'A yard');
+  await page.press('#share-name', 'Tab');
+  assert.notEqual(await page.inputValue('#share-link'), before);
+  assert.match(await page.inputValue('#share-tag'), /scene="a-yard" .* label="A yard"/);
+  assert.equal(await page.inputValue('#title'), 'A yard');
+  assert.equal(await page.locator('#share .warning').count(), 0);
+  await page.click('#share [data-close]');
+
+  await page.goto(`${server.address}edit.html?scene=hill-abbey`);
+  await page.waitForFunction(() => document.body.dataset.state === 'ready');
+  await page.click('#open-share');
+  assert.match(await page.textContent('#share .warning'), /Send the HTML file instead/);
+});
+
+test('a link keeps the order of the palette, which shows something of each block', async (t) => {
+  const { page } = await openEditor(t, '?scene=castle');
+  const palette = () =>
+    page.locator('#palette [data-key]').evaluateAll((all) => all.map((one) => one.title));
+  const isPainted = () =>
+    page.waitForFunction(() =>
+      [...document.querySelectorAll('#palette canvas')].every((icon) => {
+        const { data } = icon.getContext('2d').getImageData(0, 0, icon.width, icon.height);
+        return data.some((value) => value > 0);
+      }),
+    );
+  await isPainted();
+  const kinds = await palette();
+  await page.keyboard.press('KeyP');
+  await isPainted();
+  const textures = await palette();
+  await page.click('#open-share');
+  await page.goto(await page.inputValue('#share-link'));
+  await page.click('#edit-copy');
+  await page.waitForFunction(() => document.body.dataset.state === 'ready');
+  assert.deepEqual(await palette(), kinds);
+  await page.keyboard.press('KeyP');
+  assert.deepEqual(await palette(), textures);
+});
+
+test('a world in a link cannot pose as a shipped one, and reaches nothing else', async (t) => {
+  const { page, server } = await openEditor(t, '?template=meadow', { expectErrors: true });
+  const asked = [];
+  const hostile = {
+    title: 'Castle” \u202e Your session has ended',
+    textures: {
+      a: '../textures/rock.png',
+      b: '../../secret.png',
+      c: '../textures/../../secret.png',
+      d: 'https://elsewhere.example/a.png',
+    },
+    maps: [{ name: 'hall', levels: [['aab', 'c d']], floor: 'rock' }],
+    blueprints: { a: { faces: 'a' }, b: { faces: 'b' }, c: { faces: 'c' }, d: { faces: 'd' } },
+    legend: { a: 'a', b: 'b', c: 'c', d: 'd' },
+    start: { x: 1.5, y: 1.5 },
+  };
+  const address = server.address + hashOf(hostile);
+  page.on('request', (request) => asked.push(request.url()));
+  await page.goto(address);
+  await page.waitForFunction(() => document.body.dataset.state === 'trouble');
+  assert.match(await page.textContent('#trouble-faults'), /elsewhere/);
+  assert.deepEqual(
+    asked.filter((url) => /secret|elsewhere/.test(url)),
+    [],
+  );
+  hostile.textures = { a: '../textures/rock.png' };
+  hostile.blueprints = { a: { faces: 'a' } };
+  hostile.legend = { a: 'a' };
+  hostile.maps[0].levels = [['aaa', 'a a']];
+  await page.goto(server.address + hashOf(hostile));
+  await page.waitForFunction(() => document.body.dataset.state === 'paused');
+  assert.equal(
+    await page.textContent('#bar-title'),
+    'From a link: “Castle Your session has ended”',
+  );
+  assert.equal(await page.textContent('#pause-title'), '“Castle Your session has ended”');
+  assert.match(await page.textContent('#pause-about'), /Somebody has built this world/);
+  // Another scene is the page's own again, and back one is the guest.
+  await page.click('#open-scenes');
+  await page.click('#scene-list a:has-text("The other room")');
+  await page.waitForFunction(() => document.title.startsWith('The other room'));
+  assert.equal(await page.isVisible('#edit-copy'), false);
+  await page.goBack();
+  await page.waitForFunction(() => document.title.startsWith('From a link'));
 });
 
 test('what was made of a link stays in the browser, and can be begun anew', async (t) => {
-  const { page, server } = await openEditor(t);
+  const { page } = await openEditor(t);
   await page.click('#open-share');
   const link = await page.inputValue('#share-link');
   const text = await textOf(page);
-  await page.goto(`${server.address}edit.html?template=cave`);
-  await page.waitForFunction(() => document.body.dataset.state === 'ready');
-  await page.goto(link);
-  await page.waitForFunction(() => document.body.dataset.state === 'ready');
+  const editCopy = async () => {
+    await page.goto(link);
+    await page.waitForFunction(() => document.body.dataset.state === 'paused');
+    await page.click('#edit-copy');
+    await page.waitForFunction(() => document.body.dataset.state === 'ready');
+  };
+  await editCopy();
   await told(page, () => {
     const { history } = window.slicecastEditor;
     history.do('Rename', [{ path: ['title'], value: 'Mine' }]);
   });
   await page.waitForFunction(() => document.getElementById('kept').textContent.startsWith('Kept'));
-  await page.reload();
-  await page.waitForFunction(() => document.body.dataset.state === 'ready');
+  await editCopy();
   assert.equal(await page.inputValue('#title'), 'Mine');
   await page.click('#open-files');
   await Promise.all([page.waitForEvent('load'), page.click('#anew')]);
@@ -664,6 +784,7 @@ test('four steps begin the first visit, each done by doing it, and never come ag
       [count, title],
     );
   await at(1, 'Put a block');
+  assert.equal(await page.locator('[data-told]').count(), 0, 'only buttons get a ring');
   const middle = async () => {
     const box = await page.locator('#picture').boundingBox();
     return [box.x + box.width / 2, box.y + box.height * 0.8];

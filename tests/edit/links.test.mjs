@@ -9,9 +9,9 @@ import { test } from 'node:test';
 
 import { load } from '../../build/web/node/index.js';
 import { shippedScenes } from '../wasm/load.mjs';
-import { editModules } from './modules.mjs';
+import { editModules, seededRandom } from './modules.mjs';
 
-const { linkOf, printed, templates, textOf } = await editModules();
+const { kSureCharacters, linkOf, printed, templates, textOf } = await editModules();
 const { deflateSync } = createRequire(new URL('../../tools/package.json', import.meta.url))(
   'fflate',
 );
@@ -33,14 +33,20 @@ for (const { name, scene } of templates) {
   });
 }
 
-test('a world that is too large has no link', () => {
-  const links = shippedScenes.map((file) => linkOf(readFileSync(file, 'utf8'), kBase));
-  for (const link of links) assert.ok(link === null || link.length <= 8000);
-  assert.ok(links.includes(null));
-  assert.ok(
-    links.some((link) => link !== null),
-    'small ones have',
-  );
+test('a link keeps the order of keys, and every letter within quotes', () => {
+  const text =
+    '{ "title": "a  \\"b\\" \\\\",\n\t"legend": { "#": "wall", "2": "two",\r\n "1": "one", " ": null } }';
+  const same = '{"title":"a  \\"b\\" \\\\","legend":{"#":"wall","2":"two","1":"one"," ":null}}';
+  assert.equal(textOf(new URL(linkOf(text, kBase)).hash), same);
+});
+
+test('shipped scenes have links, and a world that is too large has none', () => {
+  for (const file of shippedScenes)
+    assert.ok(linkOf(readFileSync(file, 'utf8'), kBase).length < 16000, file);
+  const random = seededRandom(1);
+  const noise = Array.from({ length: 40000 }, () => random(10)).join('');
+  assert.equal(linkOf(JSON.stringify({ title: noise }), kBase).length > kSureCharacters, true);
+  assert.equal(linkOf(JSON.stringify({ title: noise + noise }), kBase), null);
 });
 
 test('damaged and hostile links are refused in words', () => {

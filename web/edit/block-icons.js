@@ -1,12 +1,14 @@
-// Draws a kind of block as a small cube, seen from a corner above: its top, its south and its east.
+// Draws a kind of block as a small cube, seen from a corner above: its top, its south and its east,
+// behind them the other faces. A block that shows nothing is an outline.
 // Takes a blueprint and pictures; paints a canvas. Knows no document.
 //
 //     paintBlock(canvas, blueprint, pictures);
 //     paintWhole(canvas, image);                  // a thing's picture
 
-import { extentOf, textureOf, waterOf } from './shapes.js';
+import { extentOf, kFaces, textureOf, waterOf } from './shapes.js';
 
-const kShade = { top: 0, south: 0.16, east: 0.36 };
+const kShade = { top: 0, south: 0.16, east: 0.36, bottom: 0.36, north: 0.16, west: 0.36 };
+const kOutline = '#9a8d80';
 
 export function paintBlock(canvas, blueprint, pictures) {
   const context = canvas.getContext('2d');
@@ -20,9 +22,30 @@ export function paintBlock(canvas, blueprint, pictures) {
     half + (u - v) * half * 0.86,
     size * 0.98 - half * 0.5 * (2 - u - v) - h * size * 0.5,
   ];
+  if (kFaces.every((face) => isClear(textureOf(blueprint, face), pictures))) outline();
+  paint('bottom', point(west, north, low), point(east, north, low), point(west, south, low));
+  paint('north', point(west, north, high), point(east, north, high), point(west, north, low));
+  paint('west', point(west, north, high), point(west, south, high), point(west, north, low));
   paint('south', point(west, south, high), point(east, south, high), point(west, south, low));
   paint('east', point(east, south, high), point(east, north, high), point(east, south, low));
   paint('top', point(west, north, high), point(east, north, high), point(west, south, high));
+
+  function outline() {
+    context.strokeStyle = kOutline;
+    context.lineWidth = Math.max(1, size / 32);
+    context.beginPath();
+    for (const [first, ...others] of [
+      [point(west, north, high), point(east, north, high), point(east, south, high)],
+      [point(west, north, high), point(west, south, high), point(east, south, high)],
+      [point(west, south, high), point(west, south, low), point(east, south, low)],
+      [point(east, south, high), point(east, south, low), point(east, north, low)],
+      [point(east, north, high), point(east, north, low)],
+    ]) {
+      context.moveTo(...first);
+      for (const other of others) context.lineTo(...other);
+    }
+    context.stroke();
+  }
 
   // A picture on the parallelogram of three corners.
   function paint(face, corner, right, down) {
@@ -50,6 +73,11 @@ export function paintBlock(canvas, blueprint, pictures) {
     context.fillRect(0, 0, 1, 1);
     context.globalCompositeOperation = 'source-over';
   }
+}
+
+// Without a picture, or of one that one looks through everywhere.
+function isClear(name, pictures) {
+  return name === null || (pictures.imageOf(name) !== null && pictures.meanOf(name) === null);
 }
 
 // A part of a world (parts.js), each block as a small cube in its colour.

@@ -20,7 +20,7 @@ import { History } from './history.js';
 import { keyHelp, listenToKeys } from './keys.js';
 import { KindPanel } from './kind-panel.js';
 import { MapPanel } from './map-panel.js';
-import { openWorld, readPicture } from './open-world.js';
+import { isVisit, openWorld, readPicture } from './open-world.js';
 import { Palette } from './palette.js';
 import { Panel } from './panel.js';
 import { Schema } from './forms/schema.js';
@@ -53,6 +53,12 @@ import { thing } from './tools/thing.js';
 
 const kTools = [place, line, box, fill, replace, paint, shape, thing, link, select, stamp];
 const byId = (id) => document.getElementById(id);
+
+// Whoever opens a link sees the world first; the play page leads here, to a copy.
+if (isVisit(new URL(location.href))) {
+  location.replace(`./${location.hash}`);
+  await new Promise(() => {});
+}
 
 const caster = byId('picture');
 const named = fetch(new URL('pictures.json', document.baseURI))
@@ -186,9 +192,9 @@ if (playable !== null)
     ...(world.home?.at === undefined ? {} : { live: 1 }),
   });
 byId('title').value = scene.value.title ?? '';
-byId('title').addEventListener('change', ({ target }) =>
-  history.do('Rename', [{ path: ['title'], value: target.value || undefined }]),
-);
+const rename = (title) =>
+  history.do('Rename', [{ path: ['title'], value: title.trim() || undefined }]);
+byId('title').addEventListener('change', ({ target }) => rename(target.value));
 const actions = {
   undo: () => back(history.undo(), 'Undone'),
   redo: () => back(history.redo(), 'Done again'),
@@ -455,7 +461,9 @@ const tab = new OneTab(world.name, byId('other-tab'), {
     saveBar.leave(() => location.assign(query));
   },
 });
-shareDialog(byId('share'), byId('open-share'), { scene, own, ownPictures, world, saveBar });
+shareDialog(byId('share'), byId('open-share'), {
+  ...{ scene, own, ownPictures, world, saveBar, rename },
+});
 byId('anew').parentElement.hidden = world.name.startsWith('file '); // there is no other copy
 openDialog(byId('files'), byId('open-files'), {
   importing: byId('import'),
@@ -477,7 +485,7 @@ listenToKeys(actions, camera, kTools, { isWalking, isSteering: () => caster.ente
 
 if (beginning.text !== world.text) toast('Your world is as you left it.');
 if (world.isStranger && before === null)
-  toast('A world from a link. What you change stays in this browser.');
+  toast('A copy of a world from a link. What you change stays in this browser.');
 
 caster.addEventListener('ready', () => start(), { once: true });
 caster.addEventListener('error', ({ detail }) => {

@@ -4,11 +4,12 @@
 //     const world = await openWorld(new URL(location.href));
 //     {name, text, isStranger}                // `name`: under which it is kept
 //     {home, form, tag, isRead}               // if it has a file: see saving.js; `isRead`: now
+//     isVisit(address)                        // an old link: nobody has asked to edit
 //     readPicture(own, file, world)           // the bytes of a picture of the scene, or null
 //
 // edit.html?scene=castle, ?scene=-/scene/mine.json (that of tools/play), ?template=cave, ?file=mine
-// (see world-store.js), #world=... (a stranger's), or nothing. With &tour the first steps are shown
-// again.
+// (see world-store.js), ?copy#world=... (a stranger's), or nothing. With &tour the first steps are
+// shown again.
 
 import { fetchBytes } from '../engine/fetch-bytes.js';
 import { kHome } from '../engine/home.js';
@@ -23,6 +24,8 @@ import { printed } from './json-text.js';
 const kScenes = new URL('scenes/', kHome);
 const kName = /^[\w-]+$/;
 const kServed = /^-\/scene\/[^/\\]+$/;
+
+export const isVisit = (address) => isWorldLink(address.hash) && !address.searchParams.has('copy');
 
 export async function openWorld(address) {
   const wanted = address.searchParams;

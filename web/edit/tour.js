@@ -5,7 +5,7 @@
 //     tour.begin();            // from the first step
 //     tour.begin({ once: true })   // not if somebody has seen it in this browser
 //
-// A step that speaks of a control puts data-told on it, for a ring around it.
+// A step that speaks of a button puts data-told on it, for a ring around it.
 
 import { isTouch, listenToFingers } from './fingers.js';
 
@@ -20,7 +20,6 @@ const kSteps = [
       isTouch()
         ? 'Choose one below the picture, and tap where it is to stand. A drag puts a row, Remove takes away, and Undo is above.'
         : 'Choose one below the picture, and click where it is to stand. A drag puts a row, the right button removes, and Ctrl+Z undoes.',
-    ring: 'blocks',
     isDone: ({ scene, begun }) => scene.text !== begun.text,
   },
   {
@@ -29,7 +28,6 @@ const kSteps = [
       isTouch()
         ? 'Two fingers turn the view; pull them apart to fly ahead.'
         : 'Drag with the right button to turn, and fly with W A S D. Space rises, C sinks.',
-    ring: 'picture-view',
     isDone({ caster, begun }) {
       const { x, y, z, heading } = caster.currentView;
       const turned = Math.abs(((heading - begun.view.heading + 540) % 360) - 180);
@@ -101,7 +99,7 @@ export class Tour {
     part('title').textContent = title;
     this.#tell();
     part('next').textContent = step === kSteps.length - 1 ? 'Done' : 'Next';
-    this.#ring(find(ring));
+    this.#ring(ring === undefined ? null : find(ring));
     this.#card.dataset.state = 'shown';
     this.#card.hidden = false;
   }

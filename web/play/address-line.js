@@ -13,6 +13,7 @@ import { referenceOf, sceneAddress, tourAddress } from './scene-list.js';
 
 const kNamed = ['scene', 'tour', 'view']; // ignored when empty
 const kTourName = /^[\w-]+$/;
+const kLinked = '#world='; // of edit/files/world-link.js
 
 export class AddressLine {
   #caster;
@@ -37,7 +38,7 @@ export class AddressLine {
   // Whether the address names nothing in particular.
   get isPlain() {
     const asked = ['scene', 'tour', 'view', 'options', 'overlay'];
-    return asked.every((name) => !this.parameters.has(name));
+    return !isLinked() && asked.every((name) => !this.parameters.has(name));
   }
 
   get isLive() {
@@ -63,11 +64,16 @@ export class AddressLine {
     const open = ++this.#opens;
     this.#problems.begin(new URLSearchParams(location.search));
     this.#options.take(this.parameters);
-    const isNamed = this.parameters.has('scene') || this.parameters.has('tour');
+    const isNamed = !isLinked() && (this.parameters.has('scene') || this.parameters.has('tour'));
     if (isNamed) this.#show();
     const list = await scenes.catch(() => []);
     this.#files = list.map(({ file }) => file);
     if (isNamed || open !== this.#opens) return;
+    if (isLinked()) {
+      const world = await worldIn(location.hash);
+      if (open === this.#opens) this.#show(world);
+      return;
+    }
     if (this.#named === null)
       throw new Trouble(
         'There is no scene to open',
@@ -100,18 +106,20 @@ export class AddressLine {
     this.#begin();
   }
 
-  #show() {
+  // `source` is a world from a link.
+  #show(source = null) {
     const { parameters } = this;
-    const tour = parameters.get('tour');
-    const scene = tour === null ? this.#named : null;
-    this.#caster.source = null;
+    const tour = source === null ? parameters.get('tour') : null;
+    const scene = source === null && tour === null ? this.#named : null;
+    this.#caster.source = source;
     this.#set('engine', parameters.get('engine'));
     this.#set('scene', scene === null ? null : sceneIn(scene));
     this.#set('tour', tour === null ? null : tourIn(tour));
     this.#set('view', parameters.get('view'));
     // The same address again: start the scene again.
-    if (location.search === this.#shown) this.#caster.reload();
-    this.#shown = location.search;
+    const shown = source === null ? location.search : null;
+    if (shown !== null && shown === this.#shown) this.#caster.reload();
+    this.#shown = shown;
     this.#begin();
   }
 
@@ -125,6 +133,17 @@ export class AddressLine {
     this.#caster.pause();
     this.#caster.loading = 'eager';
     this.#caster.hidden = false;
+  }
+}
+
+const isLinked = () => location.hash.startsWith(kLinked);
+
+async function worldIn(link) {
+  const { linkedWorld } = await import('../edit/hand-over.js');
+  try {
+    return linkedWorld(link);
+  } catch (error) {
+    throw new Trouble('This link cannot be opened', error.message);
   }
 }
 

@@ -10,7 +10,8 @@
 //
 // Parameters of the address: scene=NAME or a path, view=, options= and overlay= as
 // engine/address.js spells them, tour=NAME (a recording in the folder tours, which names its
-// scene), live=1 (reload when tools/play reports a save), engine=simd or scalar.
+// scene), live=1 (reload when tools/play reports a save), engine=simd or scalar. Behind the sign #
+// there may be a whole world, which somebody has built in the editor.
 
 import '../ray-caster.js';
 import { isFinger } from '../element/details.js';
@@ -76,6 +77,7 @@ function start() {
   find('play').addEventListener('click', (press) =>
     caster.enter({ touch: isFinger(press), mouse: press.pointerType === 'mouse' }),
   );
+  find('edit-copy').addEventListener('click', () => editOwn(caster.source));
   find('standard-settings').addEventListener('click', () => settings.backToStandard());
   find('choose-files').addEventListener('click', () => find('files').click());
   listenForFiles({
@@ -115,7 +117,7 @@ function start() {
       if (reference !== null) edit.href = isKnown ? editAddress(reference) : 'edit.html';
       else if (caster.source !== null) {
         event.preventDefault();
-        editDropped(caster.source).catch((error) => status.fail(error));
+        editOwn(caster.source).catch((error) => status.fail(error));
       }
     });
     if (address.isPlain) opening.begin(list[0]?.flight);
@@ -133,7 +135,9 @@ function start() {
   window.slicecast = caster;
 }
 
-async function editDropped(source) {
+// A copy: the link, or the file, stays as it is.
+async function editOwn(source) {
+  if (source.link !== undefined) return location.assign(`edit.html?copy${source.link}`);
   const { handOver } = await import('../edit/hand-over.js');
   location.assign(`edit.html${await handOver(source)}`);
 }

@@ -8,12 +8,14 @@
 
 import { asTrouble } from '../engine/trouble.js';
 import { nearOf } from './address-problems.js';
-import { nameFrom, titleFrom } from './scene-origin.js';
+import { nameFrom, quoted, titleFrom } from './scene-origin.js';
 import { TroubleSheet } from './trouble-sheet.js';
 
 const kEngineShare = 0.5; // of the loading bar, for the first scene
 
 const kFixAndSave = 'Fix these faults and save the file: the scene then opens by itself.';
+
+const kAboutLinked = 'Somebody has built this world in the editor. It came with the link.';
 
 const kModes = {
   recording: 'Recording; F9 saves it',
@@ -75,10 +77,15 @@ export class PageStatus {
       : null;
   }
 
+  // Somebody has built this world and sent it.
+  get #isLinked() {
+    return this.#caster.source?.link !== undefined;
+  }
+
   #tellAbout() {
     const { reference } = this.#address;
     const known = this.#scenes.find(({ file }) => file === reference);
-    find('pause-about').textContent = known?.about ?? '';
+    find('pause-about').textContent = this.#isLinked ? kAboutLinked : (known?.about ?? '');
   }
 
   // Shows an error of the page itself.
@@ -100,11 +107,15 @@ export class PageStatus {
   #ready() {
     this.isQuiet = false;
     const { address, world } = this.#caster;
-    const title = titleFrom(address, world.title);
-    this.#caster.label = nameFrom(address, world.title);
+    const isLinked = this.#isLinked;
+    const title = isLinked
+      ? `From a link: ${quoted(world.title)}`
+      : titleFrom(address, world.title);
+    this.#caster.label = isLinked ? title : nameFrom(address, world.title);
     document.title = `${title} · Slicecast`;
     find('bar-title').textContent = title;
-    find('pause-title').textContent = title;
+    find('pause-title').textContent = isLinked ? quoted(world.title) : title;
+    find('edit-copy').hidden = !isLinked;
     this.#tellAbout();
     document.body.dataset.behind = '';
     this.#attributes = ['scene', 'tour', 'view'].map((name) => [

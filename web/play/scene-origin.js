@@ -1,6 +1,7 @@
-// Marks scenes from other origins. Strangers may have written them, so their titles are quoted and
-// follow the host's name; thus no title can pose as the page's own text.
+// Marks scenes from other origins and from links. Strangers may have written them, so their titles
+// are quoted and follow the host's name; thus no title can pose as the page's own text.
 //
+//     quoted(title)                             // “A garden”
 //     titleFrom(caster.address, title)      // From worlds.example: “A garden”
 //     hostOf(address)                       // 'worlds.example'; '' for a scene of the page's own
 
@@ -16,7 +17,7 @@ export function hostOf(address) {
 
 export function titleFrom(address, title) {
   const host = hostOf(address);
-  return host === '' ? title : `From ${host}: “${plain(title)}”`;
+  return host === '' ? title : `From ${host}: ${quoted(title)}`;
 }
 
 // The element's label for screen readers, in the same words; null for the page's own scenes.
@@ -25,10 +26,11 @@ export function nameFrom(address, title) {
   return name === title ? null : name;
 }
 
-// Removes characters that end a quotation or change the direction of text.
-function plain(title) {
-  return title
+// Without characters that end a quotation or change the direction of text.
+export function quoted(title) {
+  const plain = title
     .replace(/["“”„‟]/g, '')
     .replace(/[\s\p{C}]+/gu, ' ')
     .trim();
+  return `“${plain}”`;
 }

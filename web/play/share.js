@@ -32,9 +32,15 @@ export class ShareDialog {
     const own = this.find('size').options[0];
     own.value = `${width}x${height}`;
     own.textContent = `Full size, ${width} × ${height}`;
-    this.find('addresses').hidden = reference === null;
-    this.find('no-address').hidden = reference !== null;
+    const link = caster.source?.link; // it holds the whole world
+    this.find('addresses').hidden = reference === null && link === undefined;
+    this.find('addresses').classList.toggle('link-only', link !== undefined);
+    this.find('no-address').hidden = !this.find('addresses').hidden;
     if (reference !== null) this.#write();
+    else if (link !== undefined) {
+      this.find('link').value = new URL(`./${link}`, document.baseURI).href;
+      this.#say(null, '');
+    }
     this.#preview().catch(() => {}); // the dialog does without
     this.dialog.showModal();
   }

@@ -2,12 +2,15 @@
 // dropped anywhere on the page. Gives addresses to the browser: each world has one, so that going
 // back works.
 
+import { kHome } from '../../engine/home.js';
 import { listScenes, posterAddress } from '../../play/scene-list.js';
 import { printed } from '../json-text.js';
 import { tagOf } from './file-homes.js';
 import { openFiles, openText } from './open-file.js';
 import { templates } from './templates.js';
 import { keepOpened } from './world-store.js';
+
+const kTemplates = new URL('edit/templates/', kHome); // pictures
 
 // `beginAnew` opens the present world as it was; `takePictures(files)` returns true if it takes
 // what was dropped; `leave(go)` goes to another page; `importing` is the dialog for maps from
@@ -122,7 +125,11 @@ export function openDialog(dialog, button, parts) {
     isFilled = true;
     dialog
       .querySelector('#templates')
-      .append(...templates.map(({ name, title }) => card(title, `?template=${name}`, null)));
+      .append(
+        ...templates.map(({ name, title }) =>
+          card(title, `?template=${name}`, new URL(`${name}.png`, kTemplates)),
+        ),
+      );
     const scenes = await listScenes().catch(() => []); // the templates are there
     dialog.querySelector('#remixes').append(
       ...scenes.map(({ file, title, poster }) => {

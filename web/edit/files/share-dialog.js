@@ -1,5 +1,6 @@
-// The dialog that saves the world as files, and shows it as a link, a tag and a frame.
-// Takes the document and the world's own pictures; gives files to the browser.
+// The dialog that shows the world as a link, a tag and a frame, names it, and saves it as files.
+// Takes the document and the world's own pictures; gives files to the browser, and
+// a new name to `rename`.
 
 import { deflateSync, strToU8, zipSync } from 'fflate';
 import { kHome } from '../../engine/home.js';
@@ -7,42 +8,59 @@ import { readPicture } from '../open-world.js';
 import { download } from './download.js';
 import { htmlFile } from './html-file.js';
 import { frameFor, tagFor } from './share-texts.js';
-import { linkOf } from './world-link.js';
+import { kSureCharacters, linkOf } from './world-link.js';
 
 const kPlayer = new URL('edit/player.bin', kHome);
 const kShownCopied = 2000; // milliseconds
 
-export function shareDialog(dialog, button, { scene, own, ownPictures, world, saveBar }) {
+export function shareDialog(dialog, button, { scene, own, ownPictures, world, saveBar, rename }) {
   const find = (id) => dialog.querySelector(`#${id}`);
   const tell = (text) => (find('share-told').textContent = text);
   const name = () => saveBar.name;
 
   button.addEventListener('click', () => {
     tell('');
+    show();
+    dialog.showModal();
+    dialog.querySelector('[data-copy=share-link]').focus();
+  });
+  find('share-name').addEventListener('change', ({ target }) => {
+    rename(target.value);
+    show();
+  });
+
+  function show() {
+    const title = scene.value.title ?? '';
     showLink();
-    const about = { name: name(), title: scene.value.title ?? '' };
-    find('share-tag').value = tagFor(about);
-    find('share-frame').value = frameFor(about);
+    find('share-name').value = title;
+    find('share-tag').value = tagFor({ name: name(), title });
+    find('share-frame').value = frameFor({ name: name(), title });
     const pictures = ownPictures.named.size === 0 ? '' : ' and its own pictures';
     find('tag-about').textContent =
       `Needs Slicecast’s folder on your site as slicecast, with ${name()}.json${pictures} in slicecast/scenes.`;
     find('frame-about').textContent =
       `Needs the same, but no script in your page. A frame may also show the one HTML file.`;
-    dialog.showModal();
-  });
+  }
 
   function showLink() {
-    const hasPictures = ownPictures.named.size > 0;
-    const link = scene.mistake === null && !hasPictures ? linkOf(scene.text, location.href) : null;
+    const obstacle =
+      scene.mistake !== null
+        ? 'The text has a fault. Mend it, and there is a link.'
+        : ownPictures.named.size > 0
+          ? 'A world with its own pictures has no link: send the HTML file instead, below.'
+          : null;
+    const link = obstacle === null ? linkOf(scene.text, new URL('./', location.href)) : null;
+    const isLong = link !== null && link.length > kSureCharacters;
     find('share-link').value = link ?? '';
-    find('share-link').disabled = link === null;
-    dialog.querySelector('[data-copy=share-link]').disabled = link === null;
+    find('share-link-field').hidden = link === null;
+    find('share-about').className = link === null || isLong ? 'warning' : 'soft';
     find('share-about').textContent =
-      link !== null
-        ? 'Needs nothing: it holds the whole world. Whoever opens it can walk in it, and change a copy.'
-        : hasPictures
-          ? 'A world with its own pictures has no link: save a zip, or the HTML file.'
-          : 'This world is too large for a link: save a file.';
+      obstacle ??
+      (link === null
+        ? 'This world is too large for a link: send the HTML file instead, below.'
+        : isLong
+          ? `Mails and chats may cut a link of ${link.length.toLocaleString('en')} letters. Send the HTML file instead, below, or try the link yourself first.`
+          : 'Whoever opens it sees this world, can walk in it, and change a copy.');
   }
 
   for (const copy of dialog.querySelectorAll('[data-copy]'))

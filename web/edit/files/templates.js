@@ -1,6 +1,8 @@
 // Worlds to begin with. Gives scenes as objects; their pictures are the shipped ones.
 //
-//     templates      // [{name, title, about, scene()}]
+//     templates      // [{name, title, scene(), view}]
+//
+// `view` is where its picture is drawn from, else its start (tools/scene-posters.mjs).
 
 const kBlueprints = {
   'stone wall': { faces: { all: 'stone-blocks-worn', top: 'flagstones' } },
@@ -176,9 +178,34 @@ function tower() {
 
 export const templates = [
   { name: 'meadow', title: 'An empty meadow', scene: lawn },
-  { name: 'garden', title: 'A walled garden', scene: garden },
-  { name: 'house', title: 'A house', scene: house },
-  { name: 'cave', title: 'A cave', scene: cave },
-  { name: 'canyon', title: 'A canyon', scene: canyon },
-  { name: 'tower', title: 'A tower', scene: tower },
+  {
+    name: 'garden',
+    title: 'A walled garden',
+    scene: garden,
+    view: { x: 23, y: 30, z: 10, heading: 245, look: -0.42 },
+  },
+  {
+    name: 'house',
+    title: 'A house',
+    scene: house,
+    view: { x: 22.5, y: 23, z: 4.5, heading: 235, look: -0.22 },
+  },
+  {
+    name: 'cave',
+    title: 'A cave',
+    scene: cave,
+    view: { x: 20, y: 14, z: 0.8, heading: 330, look: 0.05 },
+  },
+  {
+    name: 'canyon',
+    title: 'A canyon',
+    scene: canyon,
+    view: { x: 8, y: 22, z: 9, heading: 325, look: -0.45 },
+  },
+  {
+    name: 'tower',
+    title: 'A tower',
+    scene: tower,
+    view: { x: 22, y: 26, z: 6.5, heading: 236, look: -0.2 },
+  },
 ];

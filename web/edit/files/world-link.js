@@ -1,23 +1,31 @@
 // A world in a link: the scene's text, packed, behind the sign # of an address. No server sees it.
 // Takes texts; gives links and texts. Bounds what a stranger's link can unpack to.
 //
-//     await linkOf(text, base)       // an address, or null if the world is too large for one
-//     await textOf(hash)             // '#world=...' -> its text; throws an Error in plain words
+//     linkOf(text, base)             // an address, or null if the world is too large for one
+//     link.length > kSureCharacters  // mails and chats may cut it
+//     textOf(hash)                   // '#world=...' -> its text; throws an Error in plain words
 
 import { deflateSync, Inflate, strFromU8, strToU8 } from 'fflate';
 
-const kMostCharacters = 8000; // of the link: longer ones get lost in mails and chats
+export const kSureCharacters = 8000;
+const kMostCharacters = 32000; // of the link: browsers take longer ones, but do not show them
 const kMostBytes = 4 << 20; // of the text that a link unpacks to
 const kStart = '#world=';
 
 export function linkOf(text, base) {
-  const packed = deflateSync(strToU8(JSON.stringify(JSON.parse(text))), { level: 9, mem: 12 });
+  const packed = deflateSync(strToU8(small(text)), { level: 9, mem: 12 });
   const letters = btoa(strFromU8(packed, true))
     .replaceAll('+', '-')
     .replaceAll('/', '_')
     .replaceAll('=', '');
   const link = new URL(`${kStart}${letters}`, base).href;
   return link.length > kMostCharacters ? null : link;
+}
+
+// Without the space between its parts. JSON.stringify would do more: it puts keys that are numbers
+// first, and the palette has the order of the legend.
+function small(text) {
+  return text.replaceAll(/("(?:[^"\\]|\\.)*")|\s+/g, (_, quoted) => quoted ?? '');
 }
 
 export function isWorldLink(hash) {
