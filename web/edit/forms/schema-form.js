@@ -17,6 +17,7 @@ const kColour = /^#[0-9a-f]{6}$/i;
 const kMostRows = 8; // of a text
 const kRow = 30; // characters in a row of it
 const kSummary = 40; // characters of a value beside its title
+const kNoMeaning = 'Point at a line to read what it means.';
 let ids = 0;
 
 export class SchemaForm {
@@ -44,7 +45,7 @@ export class SchemaForm {
         setTimeout(() => this.#catchUp());
       });
     this.#about.className = 'meaning';
-    this.#about.hidden = true;
+    this.#about.textContent = kNoMeaning;
     parent.after(this.#about);
     for (const type of ['pointerover', 'focusin'])
       parent.addEventListener(type, ({ target }) => this.#explain(target));
@@ -89,8 +90,7 @@ export class SchemaForm {
 
   #explain(target) {
     const line = this.#parent.contains(target) ? target.closest('[data-about]') : null;
-    this.#about.textContent = line?.dataset.about ?? '';
-    this.#about.hidden = line === null;
+    this.#about.textContent = line?.dataset.about ?? kNoMeaning;
   }
 
   // What refers to a name goes with it. Else words say why that cannot be, and all stays.
