@@ -109,6 +109,19 @@ test('the plan edits the same world, level by level', async (t) => {
     box.x + box.width / 2 + (column - 16) * (box.height / 34),
     box.y + box.height / 2 + (row - 16) * (box.height / 34),
   ];
+  // Of one tile, as drawn.
+  const colourAt = async (column, row) => {
+    await page.mouse.move(...tile(2.5, 2.5));
+    await frames(page);
+    const [left, top] = tile(column, row);
+    return told(
+      page,
+      ([x, y]) =>
+        String(document.querySelector('#plan').getContext('2d').getImageData(x, y, 1, 1).data),
+      [left - box.x, top - box.y],
+    );
+  };
+  const grass = await colourAt(12.7, 10.7);
   await page.mouse.move(...tile(10.5, 10.5));
   await page.mouse.down();
   await page.mouse.move(...tile(14.5, 10.5), { steps: 6 });
@@ -121,6 +134,11 @@ test('the plan edits the same world, level by level', async (t) => {
   await page.keyboard.press('PageDown');
   await page.mouse.click(...tile(12.5, 10.5), { button: 'right' });
   assert.equal((await rowsOf(page, 0))[10][12], '.');
+  assert.equal(await colourAt(12.7, 10.7), grass);
+  const wall = await colourAt(13.7, 10.7);
+  assert.notEqual(wall, grass);
+  await page.keyboard.press('Control+z');
+  assert.equal(await colourAt(12.7, 10.7), wall);
 });
 
 test('the text is the same document: typing changes the world, faults leave it', async (t) => {

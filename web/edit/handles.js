@@ -35,14 +35,21 @@ function ownerOf(path) {
 }
 
 export function handlesOf(scene, map, edited) {
-  const value = withoutNames(scene.value);
-  return [
-    ...(edited === null ? [] : ofEdited(scene, map, edited)),
-    ...thingsOf(scene, map),
-    ...portalEnds(value, map),
-    ...wayPoints(value, map),
-    ...areas(value, map),
-  ];
+  const all = allOf(scene, map);
+  return edited === null ? all : [...ofEdited(scene, map, edited), ...all];
+}
+
+const known = new WeakMap(); // a scene's value -> handles by map
+
+function allOf(scene, map) {
+  if (!known.has(scene.value)) known.set(scene.value, new Map());
+  const maps = known.get(scene.value);
+  if (!maps.has(map)) {
+    const value = withoutNames(scene.value);
+    const ends = [...portalEnds(value, map), ...wayPoints(value, map)];
+    maps.set(map, [...thingsOf(scene, map), ...ends, ...areas(value, map)]);
+  }
+  return maps.get(map);
 }
 
 // How each kind is called, and what one does with it.

@@ -8,8 +8,9 @@
 // `colours.of(blueprint)` is a CSS colour of a kind from above, `colours.texture(name)` of a
 // texture, or null for what is not there yet.
 
+import { signsOf } from '../engine/signs.js';
 import { CanvasView, countTo } from './canvas-view.js';
-import { isInside, sizeOf } from './cells.js';
+import { isInside, kEmpty, sizeOf } from './cells.js';
 import { extentOf } from './shapes.js';
 import { kindsOf } from './kinds.js';
 import { handlesOf } from './handles.js';
@@ -18,7 +19,7 @@ import { paintThing, thingColour } from './thing-icons.js';
 import { valueAt } from './things.js';
 import { PlanLinks } from './plan-links.js';
 import { paintOverlay } from './plan-overlay.js';
-import { textureOfTile } from './tiles.js';
+import { kOpen, textureOfSign } from './tiles.js';
 
 const kMostScale = 96; // CSS pixels a tile
 const kGridFrom = 7; // from this scale on there are lines between tiles
@@ -28,6 +29,7 @@ const [kLeastIcon, kMostIcon] = [14, 30]; // CSS pixels, of things
 const kDot = 4.5; // CSS pixels, of ends of portals: their frames and arrows are links
 const kShare = 0.9; // of it, by the picture of an object
 const kNear = 10; // CSS pixels from the middle of a thing
+const kMostIcons = 1000; // in sight: of more things, objects are specks
 
 const kArrows = { ArrowUp: [0, -1], ArrowRight: [1, 0], ArrowDown: [0, 1], ArrowLeft: [-1, 0] };
 
@@ -35,23 +37,15 @@ export class PlanView extends CanvasView {
   #colours;
   #caster;
   #links;
-  #images = new Map(); // 'map level' -> {bitmap of one pixel a tile, version}
-  #version = 0;
+  #images = new Map(); // 'map level' -> {image of one pixel a tile, rows, looks}
 
   constructor(canvas, editor, colours, caster) {
     super(canvas, editor, kMostScale);
     this.#colours = colours;
     this.#caster = caster;
     this.#links = new PlanLinks(document.querySelector('.legend'));
-    editor.scene.listen(({ cells, isWhole }) => {
-      if (isWhole) this.#version += 1;
-      else for (const { map, layer } of cells) this.#images.delete(`${map} ${layer}`);
-      this.draw();
-    });
-    colours.listen(() => {
-      this.#version += 1;
-      this.draw();
-    });
+    editor.scene.listen(() => this.draw());
+    colours.listen(() => this.draw());
     caster.addEventListener('viewchange', () => this.draw());
   }
 
@@ -139,7 +133,7 @@ export class PlanView extends CanvasView {
     const tiles = this.#tilesOf(map, 'floor');
     if (tiles !== null) context.drawImage(tiles, 0, 0, width * scale, depth * scale);
     for (let below = 0; below <= Math.min(level, levels - 1); ++below) {
-      const image = this.#imageOf(map, below);
+      const image = this.#levelOf(map, below);
       context.globalAlpha = below === level ? 1 : kBelow;
       if (image !== null) context.drawImage(image, 0, 0, width * scale, depth * scale);
     }
@@ -174,30 +168,51 @@ export class PlanView extends CanvasView {
     context.setLineDash([]);
   }
 
-  // One pixel a tile.
-  #imageOf(map, level) {
-    const key = `${map} ${level}`;
-    const known = this.#images.get(key);
-    if (known?.version === this.#version) return known.image;
-    const { width, depth } = this.#size;
+  #levelOf(map, level) {
     const { scene } = this.editor;
-    if (scene.rows(map, level).length === 0) return null;
-    const kinds = new Map(kindsOf(scene, map).map(({ sign, blueprint }) => [sign, blueprint]));
-    const image = new OffscreenCanvas(width, depth);
-    const context = image.getContext('2d');
-    for (let y = 0; y < depth; ++y) {
-      for (let x = 0; x < width; ++x) {
-        const sign = scene.sign(map, level, x, y);
-        const blueprint = kinds.get(sign);
-        if (blueprint === undefined) continue;
-        const { high } = extentOf(blueprint);
-        context.globalAlpha = 0.55 + 0.45 * high;
-        context.fillStyle = this.#colours.of(blueprint) ?? '#8a8078';
-        context.fillRect(x, y, 1, 1);
-      }
+    const looks = {};
+    for (const { sign, blueprint } of kindsOf(scene, map)) {
+      const opacity = 0.55 + 0.45 * extentOf(blueprint).high;
+      looks[sign] = [this.#colours.of(blueprint) ?? '#8a8078', opacity];
     }
-    this.#images.set(key, { image, version: this.#version });
-    return image;
+    return this.#imageOf(`${map} ${level}`, scene.rows(map, level), looks);
+  }
+
+  // Of a ceiling, or of a floor with tiles.
+  #tilesOf(map, layer) {
+    const { scene } = this.editor;
+    const said = scene.value.maps[map][layer];
+    const { width, depth } = this.#size;
+    const plain = layer === 'ceiling' && said ? Array(depth).fill(kEmpty.repeat(width)) : [];
+    const rows = said?.tiles === undefined ? plain : scene.rows(map, layer);
+    const looks = {};
+    for (const sign of [kEmpty, kOpen, ...Object.keys(said?.legend ?? {})]) {
+      const texture = textureOfSign(said, layer, sign);
+      if (texture !== null) looks[sign] = [this.#colours.texture(texture) ?? '#5a5148', 1];
+    }
+    return this.#imageOf(`${map} ${layer}`, rows, looks);
+  }
+
+  // One pixel a tile; null without rows. `looks`: colour and opacity of each character that shows.
+  // Only rows that have changed since are painted.
+  #imageOf(key, rows, looks) {
+    if (rows.length === 0) return null;
+    const { width, depth } = this.#size;
+    const said = JSON.stringify([width, depth, looks]);
+    let known = this.#images.get(key);
+    if (known?.said !== said) known = { said, rows: [], image: new OffscreenCanvas(width, depth) };
+    const context = known.image.getContext('2d');
+    let pixels = null; // of each character
+    rows.forEach((row, y) => {
+      if (row === known.rows[y]) return;
+      pixels ??= pixelsOf(looks);
+      const line = new ImageData(width, 1);
+      const colours = new Uint32Array(line.data.buffer);
+      signsOf(row).forEach((sign, x) => (colours[x] = pixels.get(sign) ?? 0));
+      context.putImageData(line, 0, y);
+    });
+    this.#images.set(key, { ...known, rows });
+    return known.image;
   }
 
   pointed(context) {
@@ -219,46 +234,28 @@ export class PlanView extends CanvasView {
     }
   }
 
-  // Of floor or ceiling, one pixel a tile; null if it has no tiles.
-  #tilesOf(map, layer) {
-    const key = `${map} ${layer}`;
-    const known = this.#images.get(key);
-    if (known?.version === this.#version) return known.image;
-    const { scene } = this.editor;
-    const { width, depth } = this.#size;
-    const { tiles } = scene.value.maps[map][layer] ?? {};
-    const isPlain = layer === 'floor' && tiles === undefined;
-    let image = null;
-    if (!isPlain && width > 0) {
-      image = new OffscreenCanvas(width, depth);
-      const context = image.getContext('2d');
-      for (let y = 0; y < depth; ++y) {
-        for (let x = 0; x < width; ++x) {
-          const texture = textureOfTile(scene, map, layer, x, y);
-          if (texture === null) continue;
-          context.fillStyle = this.#colours.texture(texture) ?? '#5a5148';
-          context.fillRect(x, y, 1, 1);
-        }
-      }
-    }
-    this.#images.set(key, { image, version: this.#version });
-    return image;
-  }
-
   #things(context, map) {
     const { scene, target, edited } = this.editor;
     const { start } = scene.value;
     const size = Math.max(kLeastIcon, Math.min(kMostIcon, this.scale));
-    for (const { path, kind, x, y } of handlesOf(scene, map, null)) {
+    const is = (other, path) => other != null && String(other) === String(path);
+    const all = this.#inSight(handlesOf(scene, map, null), size / this.scale);
+    const isCrowded = all.length > kMostIcons;
+    for (const { path, kind, x, y } of all) {
       if (kind === 'way') continue; // drawn with its links
+      const isChosen = is(target?.thing, path) || is(edited, path);
+      if (isCrowded && kind === 'object' && !isChosen) {
+        context.fillStyle = thingColour(kind);
+        context.fillRect(x * this.scale - 1, y * this.scale - 1, 3, 3);
+        continue;
+      }
       if (kind === 'start') {
         const angle = ((start.heading ?? 0) * Math.PI) / 180;
         this.arrow(context, [x, y], [x + Math.cos(angle), y + Math.sin(angle)], thingColour(kind));
       }
       context.save();
       context.translate(x * this.scale, y * this.scale);
-      const is = (other) => String(other) === String(path);
-      if (is(target?.thing) || is(edited)) halo(context, kind === 'portal' ? 2 * kDot : size);
+      if (isChosen) halo(context, kind === 'portal' ? 2 * kDot : size);
       if (kind === 'object') this.#object(context, valueAt(scene.value, path), size);
       else if (kind === 'portal') disc(context, kDot, kLinkLooks.portal.colour);
       else {
@@ -267,6 +264,14 @@ export class PlanView extends CanvasView {
       }
       context.restore();
     }
+  }
+
+  #inSight(things, margin) {
+    const [left, top, right, bottom] = this.sight;
+    return things.filter(
+      ({ x, y }) =>
+        x > left - margin && x < right + margin && y > top - margin && y < bottom + margin,
+    );
   }
 
   // Its picture; a dot until it is there.
@@ -303,4 +308,17 @@ function disc(context, radius, colour) {
   context.arc(0, 0, radius, 0, 2 * Math.PI);
   context.fillStyle = colour;
   context.fill();
+}
+
+// By character, as an image has them.
+function pixelsOf(looks) {
+  const signs = Object.keys(looks);
+  const context = new OffscreenCanvas(signs.length + 1, 1).getContext('2d');
+  signs.forEach((sign, x) => {
+    [context.fillStyle, context.globalAlpha] = looks[sign];
+    context.fillRect(x, 0, 1, 1);
+  });
+  const { data } = context.getImageData(0, 0, signs.length + 1, 1);
+  const colours = new Uint32Array(data.buffer);
+  return new Map(signs.map((sign, index) => [sign, colours[index]]));
 }

@@ -4,13 +4,14 @@
 //     tileChanges(scene, 0, 'floor', [{ x: 1, y: 2 }], 'sand')
 //     tileChanges(scene, 0, 'ceiling', places, null)           // the layer's own texture again
 //     textureOfTile(scene, 0, 'floor', 1, 2)                   // a texture's name, or null
+//     textureOfSign(scene.value.maps[0].floor, 'floor', 's')   // of the tiles with that character
 //
 // A map without a ceiling gets one above its highest level, open to the sky but for those tiles.
 
 import { cellChanges, kEmpty, sizeOf } from './cells.js';
 import { freeSign } from './kinds.js';
 
-const kOpen = ' '; // in ceilings
+export const kOpen = ' '; // in ceilings
 
 const layerOf = (scene, map, layer) => {
   const present = scene.value.maps[map][layer];
@@ -18,10 +19,15 @@ const layerOf = (scene, map, layer) => {
 };
 
 export function textureOfTile(scene, map, layer, x, y) {
-  const { texture, legend = {}, tiles } = layerOf(scene, map, layer) ?? {};
-  if (texture === undefined) return null;
-  const sign = tiles === undefined ? kEmpty : scene.sign(map, layer, x, y);
-  if (sign === kOpen && layer === 'ceiling') return null;
+  const said = layerOf(scene, map, layer);
+  const sign = said?.tiles === undefined ? kEmpty : scene.sign(map, layer, x, y);
+  return textureOfSign(said, layer, sign);
+}
+
+// Of what a scene says of a floor or a ceiling that has tiles.
+export function textureOfSign(said, layer, sign) {
+  const { texture, legend = {} } = said ?? {};
+  if (texture === undefined || (sign === kOpen && layer === 'ceiling')) return null;
   return sign === kEmpty || sign === kOpen ? texture : (legend[sign] ?? null);
 }
 
