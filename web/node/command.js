@@ -8,7 +8,6 @@
 // shipped ones too, beside each other. `html` writes one file that plays the scene from a disk. The
 // exit status is 0, 1 after an error, 2 if it was called wrongly.
 
-import { Buffer } from 'node:buffer';
 import { mkdir, readFile, realpath, stat, writeFile } from 'node:fs/promises';
 import path from 'node:path';
 import process from 'node:process';
