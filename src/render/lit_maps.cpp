@@ -70,7 +70,7 @@ const FaceNodes* LitMap::findNodes(const LitFaceAt& face) {
 
 const Pixel* LitMap::makeTexels(LitLevel wanted) {
     const Record* const record = findRecord(wanted.face);
-    if (record == nullptr) return images_.make(wanted, outside_, {});
+    if (record == nullptr) return images_.make(wanted, outside_, {0, oldest_});
     const auto number = static_cast<std::uint32_t>(record - records_.data()) + 1;
     return images_.make(wanted, nodesIn(*record), {number, record->made});
 }
@@ -83,7 +83,7 @@ std::uint32_t LitMap::makeLines(LitFaceAt face, int levelBits, const LitFaceAt& 
     }
     const std::uint64_t key = LightLines::keyOf(record != nullptr ? face : kOutside, levelBits);
     return record != nullptr ? lines_.make(key, change_, levelBits, nodesIn(*record), record->made)
-                             : lines_.make(key, change_, levelBits, outside_, 1);
+                             : lines_.make(key, change_, levelBits, outside_, oldest_);
 }
 
 // Makes the light of a face if it is not known. Null if there is no such face.

@@ -19,7 +19,7 @@ set(may_examples "")
 
 # src/include/slicecast is what others include. Its headers know each other and nothing else; of
 # them every part shares the plain data, and the library alone has the rest.
-set(plainData "colour|face|fault|half|image|input|option|picture|sound|trace")
+set(plainData "cell_change|colour|face|fault|half|image|input|mark|option|picture|place|sound|trace")
 
 # The slow renderer of the old ways finds by itself what a pixel shows. It shares plain data with the
 # fast one, which knows nothing of it, and asks that one's parts what colour a point of a face or of
