@@ -3,6 +3,7 @@
 
 #include "base/sort.h"
 #include "scene/limits.h"
+#include "scene/spares.h"
 
 #include <algorithm>
 #include <cmath>
@@ -275,6 +276,7 @@ std::optional<std::uint16_t> Checker::name(JsonValue value, const NameTable& nam
     const std::optional<std::string> name = text(value, kMaxNameLength, {"the name of a ", what});
     if (!name) return std::nullopt;
     const std::optional<std::uint16_t> id = names.find(*name);
+    if (uses_ != nullptr) uses_->note(names, value.text());
     return id ? id : unknownName(value, names, what);
 }
 

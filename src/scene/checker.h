@@ -37,6 +37,7 @@ std::string quoted(std::string_view text);
 std::string listed(const std::vector<std::string_view>& texts);
 
 class Fields;
+class NameUses;
 
 class Checker {
 public:
@@ -46,6 +47,9 @@ public:
 
     // Faults so far; a part of the tree is sound if none was added while it was read.
     std::size_t count() const { return faults_.size() + omitted_ + awaiting_; }
+    // Notes there which names have been asked for, from now on.
+    void noteUses(NameUses& uses) { uses_ = &uses; }
+
     // The names that a table may have which is still to come; `count` has them too.
     std::size_t awaiting() const { return awaiting_; }
 
@@ -124,6 +128,7 @@ private:
     std::vector<Placed> warnings_;
     std::size_t omitted_ = 0;
     std::size_t awaiting_ = 0;
+    NameUses* uses_ = nullptr;
 };
 
 // The members of an object whose keys have been checked. The readers return the fallback if there

@@ -3,6 +3,7 @@
 #include "base/task_list.h"
 #include "scene/limits.h"
 #include "scene/readers.h"
+#include "scene/spares.h"
 
 #include <algorithm>
 #include <utility>
@@ -56,6 +57,12 @@ struct SceneParser::Work {
         ShippedPictures sprites;
     };
 
+    // The names that have been used.
+    struct Uses {
+        __attribute__((noinline)) ~Uses() {}  // NOLINT: a first picture needs none
+        NameUses names;
+    };
+
     Work(std::string_view given, std::string fileName)
         : text(given),
           source(given.size() <= kMaxSceneBytes ? given : std::string_view()),
@@ -68,6 +75,8 @@ struct SceneParser::Work {
     }
 
     void takePictures(std::string_view pictures);
+    void lookForMistakes();
+    void addSpares();
     void readText();
     void readScene();
     void readNames();
@@ -87,6 +96,7 @@ struct SceneParser::Work {
     TaskList tasks;
     Reading reading{checker, *description, tasks, {}, {}, {}, {}, false, {}, 0};
     std::unique_ptr<PictureTable> table;
+    std::unique_ptr<Uses> uses;    // only to look for mistakes
     std::optional<Fields> fields;  // of the root
     ParsedScene parsed;
 };
@@ -96,6 +106,15 @@ __attribute__((noinline)) void SceneParser::Work::takePictures(std::string_view 
     table = std::make_unique<PictureTable>(pictures, reading);
     reading.textures.lookIn(table->textures);
     reading.sprites.lookIn(table->sprites);
+}
+
+__attribute__((noinline)) void SceneParser::Work::lookForMistakes() {
+    uses = std::make_unique<Uses>();
+    checker.noteUses(uses->names);
+}
+
+__attribute__((noinline)) void SceneParser::Work::addSpares() {
+    if (checker.count() == 0) findSpares(reading, json.tree.root(), uses->names);
 }
 
 // Text to tree.
@@ -201,6 +220,7 @@ void SceneParser::Work::findMistakes() {
         std::none_of(maps.begin(), maps.end(), [](const Map& map) { return map.baked.on; }))
         checker.warn(*reading.lamp, "a lamp, but no map with \"baked\": it does not shine"_later,
                      "\"baked\" in its map"_later);
+    if (uses != nullptr) addSpares();
 }
 
 void SceneParser::Work::finish() {
@@ -221,6 +241,10 @@ void SceneParser::takePictures(std::string_view table) {
     work_->takePictures(table);
 }
 
+void SceneParser::lookForMistakes() {
+    work_->lookForMistakes();
+}
+
 bool SceneParser::next() {
     if (work_->checker.awaiting() == 0) return work_->tasks.doNext();
     work_->parsed.needsPictures = true;
@@ -239,6 +263,7 @@ ParsedScene parseScene(std::string_view text, const std::string& fileName, const
                        std::string_view pictures) {
     SceneParser parser(text, fileName);
     parser.takePictures(pictures);
+    parser.lookForMistakes();
     while (parser.next()) {
         if (progress) progress(kShareOfParsing * parser.share());
     }

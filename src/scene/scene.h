@@ -76,6 +76,8 @@ public:
 
     // The table of shipped pictures, before the first next().
     void takePictures(std::string_view table);
+    // Looks for more probable mistakes, for findUnreached; before the first next().
+    void lookForMistakes();
     // Does a part of the work. False if none was left.
     bool next();
     // What is done of the work that is known, 0 to 1.
@@ -88,20 +90,21 @@ private:
     std::unique_ptr<Work> work_;
 };
 
-// The progress is that of both steps: this one is the smaller part.
+// Looks for mistakes, too. The progress is that of both steps: this one is the smaller part.
 ParsedScene parseScene(std::string_view text, const std::string& fileName,
                        const Progress& progress = {}, std::string_view pictures = kNoPictures);
 
 // What a player is to get to, and where the file states it: some of the world's finds, a notice,
 // the gates of a kind, the goal, or a block. Or what is a mistake by itself: light that dims baked
-// light, and a place that nothing names. For findUnreached in unreached.h.
+// light, a place that nothing names, and what else is to spare (spares.h). For findUnreached in
+// unreached.h.
 struct Aim {
-    enum class What : std::uint8_t { finds, notice, gates, goal, block, light, place };
+    enum class What : std::uint8_t { finds, notice, gates, goal, block, light, place, spare };
     What what = What::finds;
     // Index into Quest::finds, Quest::notices, World::gateKinds or World::blueprints
     std::size_t first = 0;
     std::size_t count = 1;
-    Fault place;  // without words
+    Fault place;  // without words; those of a spare thing are known
 };
 
 struct LoadedScene {

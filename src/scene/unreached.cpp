@@ -2,6 +2,7 @@
 
 #include "base/sort.h"
 #include "base/words.h"
+#include "scene/spares.h"
 #include "world/collision.h"
 #include "world/footways.h"
 
@@ -84,16 +85,6 @@ std::string unreachedGates(const World& world, const Footways& ways, std::size_t
     return "";
 }
 
-// By BlueprintId: the blocks of the maps, and those that they were made from.
-std::vector<bool> standingBlocks(const World& world) {
-    std::vector<bool> stands(world.blueprints.size());
-    for (const Map& map : world.maps) {
-        for (const BlueprintId id : map.cells)
-            stands[id] = stands[world.blueprints[id].origin] = true;
-    }
-    return stands;
-}
-
 std::string unreached(const World& world, const Footways& ways, const Aim& aim) {
     switch (aim.what) {
         case Aim::What::finds:
@@ -106,6 +97,7 @@ std::string unreached(const World& world, const Footways& ways, const Aim& aim) 
         case Aim::What::block:
         case Aim::What::light:
         case Aim::What::place:
+        case Aim::What::spare:
             break;
     }
     const std::optional<Goal>& goal = world.quest.goal;
@@ -140,6 +132,10 @@ std::vector<Fault> findUnreached(const LoadedScene& scene) {
         if (aim.what == Aim::What::place) {
             warn(aim, "a place that nothing names",
                  "its name as the \"place\" of something, or no such place");
+            continue;
+        }
+        if (aim.what == Aim::What::spare) {
+            warnings.push_back(aim.place);
             continue;
         }
         if (!ways) ways.emplace(*scene.world);

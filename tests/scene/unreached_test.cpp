@@ -72,6 +72,69 @@ TEST(Unreached, MayBeAPlaceThatNothingNames) {
         std::string::npos);
 }
 
+// The places of what nothing uses, and what it is.
+std::string sparesOf(const std::string& head, const std::string& map) {
+    const LoadedScene loaded = loadText(R"({ "title": "Spares",
+        "textures": { "brick": "broken/images/brick.png", "tile": "broken/images/tile.png" },
+        "motions": { "up": { "moves": "top", "from": -0.5, "to": 0, "period": 8 } },
+        "blueprints": { "wall": { "faces": "brick" },
+                        "lift": { "faces": "brick", "motion": "up" } },)" +
+                                        head + R"("maps": [{ "name": "room",)" + map + R"( }],
+        "start": { "x": 1.5, "y": 1.5 } })");
+    EXPECT_EQ(inWords(loaded.faults), "");
+    std::string lines;
+    for (const Fault& warning : findUnreached(loaded))
+        lines += warning.pointer + ": " + warning.found + "\n";
+    return lines;
+}
+
+TEST(Unreached, MayBeNamesThatNothingUses) {
+    const std::string legend = R"("legend": { "#": "wall", "l": "lift" },)";
+    const std::string levels = R"("levels": [["###", "#..", "##l"]])";
+    EXPECT_EQ(sparesOf(legend, levels + R"(, "floor": "tile")"), "");
+    EXPECT_EQ(sparesOf(legend, levels + R"(, "floor": "brick")"),
+              "/textures/tile: a texture that nothing shows\n");
+    const std::string sprites = R"("sprites": { "tile": "broken/images/tile.png" },)";
+    EXPECT_EQ(sparesOf(legend + sprites, levels + R"(, "floor": "tile")"),
+              "/sprites/tile: a sprite that nothing shows\n");
+    EXPECT_EQ(sparesOf(legend + sprites, levels + R"(, "floor": "tile", "sow": [
+                       { "sprite": "tile", "density": 0.5, "height": 0.5 }])"),
+              "");
+    EXPECT_EQ(sparesOf(R"("legend": { "#": "wall" },)",
+                       R"("levels": [["###", "#..", "###"]], "floor": "tile")"),
+              "/blueprints/lift: a blueprint that stands in no map\n")
+        << "its motion has a blueprint";
+}
+
+TEST(Unreached, MayBeCharactersThatNoRowHas) {
+    const auto lines = [](const std::string& legend, const std::string& levels,
+                          const std::string& floor = R"("tile")") {
+        return sparesOf(legend, "\"levels\": [" + levels + "], \"floor\": " + floor);
+    };
+    const std::string spare = ": a character of the legend that no row has\n";
+    const std::string legend = R"("legend": { "#": "wall", "w": "wall", "l": "lift" },)";
+    EXPECT_EQ(lines(legend, R"(["###", "#.l", "###"])"), "/legend/w" + spare);
+    EXPECT_EQ(lines(legend, R"(["##w", "#.l", "###"])"), "");
+    EXPECT_EQ(lines(legend, R"(["###", "#.l", "###"], { "fill": "w" })"), "");
+    EXPECT_EQ(lines(legend, R"({ "fill": [{ "character": "w", "x": 0, "y": 0 }],
+                                 "rows": ["  #", " .l", "   "] })"),
+              "");
+    EXPECT_EQ(lines(legend, R"(["###", "#.l", "###"],
+                               { "repeat": 2, "levels": [["...", "..w", "..."]] })"),
+              "");
+    EXPECT_EQ(lines(R"("legend": { "#": "wall", "l": "lift", "x": "lift" },)",
+                    R"(["##x", "#.#", "###"])"),
+              "/legend/l" + spare);
+    // A map's own one stands before that of all maps.
+    const std::string ofMap = R"(, "legend": { "w": "wall", "v": "wall" })";
+    EXPECT_EQ(sparesOf(legend, R"("levels": [["##w", "#.l", "###"]], "floor": "tile")" + ofMap),
+              "/legend/w" + spare + "/maps/0/legend/v" + spare);
+    EXPECT_EQ(lines(legend, R"(["##w", "#.l", "###"])",
+                    R"({ "texture": "tile", "legend": { "b": "brick", "t": "tile" },
+                         "tiles": ["   ", " b ", "   "] })"),
+              "/maps/0/floor/legend/t" + spare);
+}
+
 TEST(Unreached, MayBeBakedLightThatIsDimmed) {
     const auto lines = [](const char* light) {
         const std::string baked = std::string(R"("name": "loft", "baked": {})") + light + ",";
