@@ -1,3 +1,4 @@
+#include "base/later_text.h"
 #include "base/sort.h"
 #include "base/task_list.h"
 #include "base/words.h"
@@ -48,11 +49,7 @@ public:
         const bool fits = sheet_.width == sheet_.height * wanted.frames;
         const bool isPowerOfTwo = std::has_single_bit(static_cast<unsigned>(sheet_.height));
         if (!fits || !isPowerOfTwo || sheet_.height < kMinTextureSize) {
-            const char* const sizes = "8, 16, 32, 64, 128, 256, 512 or 1024 pixels a side";
-            add(reference, {"which is ", sheet_.width, "x", sheet_.height, " pixels"},
-                wanted.frames == 1 ? words("a square texture of ", sizes)
-                                   : words("a sheet of ", wanted.frames,
-                                           " square frames side by side, each of ", sizes));
+            refuseSize(reference, wanted.frames);
             return;
         }
         if (!take(reference, sheet_.pixels.size())) return;
@@ -133,6 +130,20 @@ private:
             return a.line != b.line ? a.line < b.line : a.column < b.column;
         });
         faults_ = std::move(ofText);
+    }
+
+    // Of a texture.
+    __attribute__((noinline)) void refuseSize(const ImageReference& reference, int frames) {
+        const char* const sizes = "8, 16, 32, 64, 128, 256, 512 or 1024 pixels a side"_later;
+        const int squares = sheet_.width / sheet_.height;
+        const bool isSheet = frames == 1 && squares >= 2 && sheet_.width == squares * sheet_.height;
+        const std::string expected =
+            frames == 1 ? words("a square texture of "_later, sizes)
+                        : words("a sheet of ", frames,
+                                " square frames side by side, each of "_later, sizes);
+        add(reference, {"which is ", sheet_.width, "x", sheet_.height, " pixels"},
+            isSheet ? words(expected, "; a sheet of frames says \"frames\": "_later, squares)
+                    : expected);
     }
 
     void makeTextureFrame(std::size_t frame) {

@@ -1,6 +1,7 @@
 #include "base/later_text.h"
 #include "base/name_index.h"
 #include "base/task_list.h"
+#include "scene/in_the_way.h"
 #include "scene/limits.h"
 #include "scene/readers.h"
 #include "scene/spares.h"
@@ -76,7 +77,7 @@ struct SceneParser::Work {
 
     void takePictures(std::string_view pictures);
     void lookForMistakes();
-    void addSpares();
+    void addMistakes();
     void readText();
     void readScene();
     void readNames();
@@ -113,8 +114,17 @@ __attribute__((noinline)) void SceneParser::Work::lookForMistakes() {
     checker.noteUses(uses->names);
 }
 
-__attribute__((noinline)) void SceneParser::Work::addSpares() {
-    if (checker.count() == 0) findSpares(reading, json.tree.root(), uses->names);
+__attribute__((noinline)) void SceneParser::Work::addMistakes() {
+    if (checker.count() > 0) return;
+    findSpares(reading, json.tree.root(), uses->names);
+    findThingsInTheWay(reading);
+    const auto sprites = fields->find("sprites");
+    if (!sprites) return;
+    for (const JsonValue member : *sprites) {
+        const auto id = reading.sprites.find(member.key());
+        const TextureReference& sprite = description->sprites[*id];
+        if (sprite.frames == 1 && sprite.views == 1) reading.addAim(Aim::What::sheet, member, *id);
+    }
 }
 
 // Text to tree.
@@ -220,7 +230,7 @@ void SceneParser::Work::findMistakes() {
         std::none_of(maps.begin(), maps.end(), [](const Map& map) { return map.baked.on; }))
         checker.warn(*reading.lamp, "a lamp, but no map with \"baked\": it does not shine"_later,
                      "\"baked\" in its map"_later);
-    if (uses != nullptr) addSpares();
+    if (uses != nullptr) addMistakes();
 }
 
 void SceneParser::Work::finish() {

@@ -96,15 +96,27 @@ ParsedScene parseScene(std::string_view text, const std::string& fileName,
 
 // What a player is to get to, and where the file states it: some of the world's finds, a notice,
 // the gates of a kind, the goal, or a block. Or what is a mistake by itself: light that dims baked
-// light, a place that nothing names, and what else is to spare (spares.h). For findUnreached in
-// unreached.h.
+// light, a place that nothing names, what else is to spare (spares.h), a sprite that may be a sheet
+// of frames, and others. For findUnreached in unreached.h.
 struct Aim {
-    enum class What : std::uint8_t { finds, notice, gates, goal, block, light, place, spare };
+    enum class What : std::uint8_t {
+        finds,
+        notice,
+        gates,
+        goal,
+        block,
+        light,
+        place,
+        spare,
+        sheet,
+        mistake
+    };
     What what = What::finds;
-    // Index into Quest::finds, Quest::notices, World::gateKinds or World::blueprints
+    // Index into Quest::finds, Quest::notices, World::gateKinds, World::blueprints or
+    // World::sprites
     std::size_t first = 0;
     std::size_t count = 1;
-    Fault place;  // without words; those of a spare thing are known
+    Fault place;  // without words, but with those of what is to spare and of others
 };
 
 struct LoadedScene {

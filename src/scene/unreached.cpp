@@ -85,6 +85,12 @@ std::string unreachedGates(const World& world, const Footways& ways, std::size_t
     return "";
 }
 
+// Pictures of single things are seldom wider, and frames seldom fewer.
+bool isLikeASheet(const World& world, std::size_t sprite) {
+    const SpriteLevel& picture = world.sprites[sprite].frames[0][0];
+    return picture.width >= 4 * picture.height || picture.width == 3 * picture.height;
+}
+
 std::string unreached(const World& world, const Footways& ways, const Aim& aim) {
     switch (aim.what) {
         case Aim::What::finds:
@@ -98,6 +104,8 @@ std::string unreached(const World& world, const Footways& ways, const Aim& aim) 
         case Aim::What::light:
         case Aim::What::place:
         case Aim::What::spare:
+        case Aim::What::sheet:
+        case Aim::What::mistake:
             break;
     }
     const std::optional<Goal>& goal = world.quest.goal;
@@ -134,7 +142,14 @@ std::vector<Fault> findUnreached(const LoadedScene& scene) {
                  "its name as the \"place\" of something, or no such place");
             continue;
         }
-        if (aim.what == Aim::What::spare) {
+        if (aim.what == Aim::What::sheet) {
+            if (isLikeASheet(*scene.world, aim.first))
+                warn(aim,
+                     "a picture so wide that it may be a sheet: all of its frames show at once",
+                     "\"frames\" beside its \"file\": how many it has");
+            continue;
+        }
+        if (aim.what == Aim::What::spare || aim.what == Aim::What::mistake) {
             warnings.push_back(aim.place);
             continue;
         }

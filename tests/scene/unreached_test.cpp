@@ -135,6 +135,54 @@ TEST(Unreached, MayBeCharactersThatNoRowHas) {
               "/maps/0/floor/legend/t" + spare);
 }
 
+TEST(Unreached, MayBeSpritesThatAreSheets) {
+    const auto lines = [](const std::string& sprite) {
+        return sparesOf(
+            R"("legend": { "#": "wall", "l": "lift" }, "sprites": { "coin": )" + sprite + " },",
+            R"("levels": [["###", "#..", "##l"]], "floor": "tile",
+                           "objects": [{ "sprite": "coin", "x": 2.5, "y": 1.5, "height": 0.5 }])");
+    };
+    EXPECT_EQ(lines(R"("broken/images/sheet.png")"),
+              "/sprites/coin: a picture so wide that it may be a sheet: all of its frames show at "
+              "once\n");
+    EXPECT_EQ(lines(R"({ "file": "broken/images/sheet.png", "frames": 3 })"), "");
+    EXPECT_EQ(lines(R"("broken/images/not-square.png")"), "") << "twice as wide as high";
+}
+
+TEST(Unreached, MayBeObjectsInTheWayOfBlocks) {
+    const auto lines = [](const std::string& place) {
+        return sparesOf(R"("legend": { "#": "wall", "l": "lift" },
+                           "sprites": { "coin": "broken/images/tile.png" },)",
+                        R"("levels": [["###", "#..", "##l"]], "floor": "tile",
+                           "objects": [{ "sprite": "coin", )" +
+                            place + "}]");
+    };
+    EXPECT_EQ(lines(R"("x": 2.5, "y": 2.5, "z": 0.6, "height": 0.2)"),
+              "/maps/0/objects/0: an object that the moving block \"lift\" passes through: it does "
+              "not move along\n");
+    EXPECT_EQ(lines(R"("x": 2.5, "y": 2.5, "z": 1, "height": 0.2)"), "") << "above it";
+    EXPECT_EQ(lines(R"("x": 2.5, "y": 1.5, "z": 0.6, "height": 0.2)"), "") << "beside it";
+}
+
+TEST(Unreached, MayBeObjectsOnPaths) {
+    const auto lines = [](const std::string& object) {
+        return sparesOf(R"("legend": { "#": "wall", "l": "lift" },
+                           "sprites": { "coin": "broken/images/tile.png" },)",
+                        R"("levels": [["######", "#.....", "##l###"]], "floor": "tile",
+                           "objects": [{ "sprite": "coin", "x": 2.5, "y": 1.5, "height": 0.7,
+                               "motion": { "kind": "patrol", "speed": 1, "path": [
+                                   { "x": 3, "y": 1.5 }, { "x": 5.5, "y": 1.5 }] } },
+                               { "sprite": "coin", )" +
+                            object + "}]");
+    };
+    EXPECT_EQ(lines(R"("x": 4.5, "y": 1.6, "height": 0.5)"),
+              "/maps/0/objects/0/motion/path/1: a way to this point through the object at x 4.50, "
+              "y 1.60: the figure walks through it\n");
+    EXPECT_EQ(lines(R"("x": 4.5, "y": 1.8, "height": 0.5)"), "") << "beside the way";
+    EXPECT_EQ(lines(R"("x": 4.5, "y": 1.6, "z": 0.8, "height": 0.5)"), "") << "overhead";
+    EXPECT_EQ(lines(R"("x": 4.5, "y": 1.6, "height": 0.2)"), "") << "low";
+}
+
 TEST(Unreached, MayBeBakedLightThatIsDimmed) {
     const auto lines = [](const char* light) {
         const std::string baked = std::string(R"("name": "loft", "baked": {})") + light + ",";
