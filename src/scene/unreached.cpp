@@ -4,10 +4,11 @@
 #include "base/words.h"
 #include "scene/spares.h"
 #include "world/collision.h"
-#include "world/footways.h"
 
 #include <algorithm>
+#include <limits>
 #include <tuple>
+#include <utility>
 
 namespace slicecast {
 namespace {
@@ -92,75 +93,108 @@ bool isLikeASheet(const World& world, std::size_t sprite) {
 }
 
 std::string unreached(const World& world, const Footways& ways, const Aim& aim) {
-    switch (aim.what) {
-        case Aim::What::finds:
-            return unreachedFinds(world, ways, aim);
-        case Aim::What::notice:
-            return unreachedNotice(world, ways, world.quest.notices[aim.first]);
-        case Aim::What::gates:
-            return unreachedGates(world, ways, aim.first);
-        case Aim::What::goal:
-        case Aim::What::block:
-        case Aim::What::light:
-        case Aim::What::place:
-        case Aim::What::spare:
-        case Aim::What::sheet:
-        case Aim::What::mistake:
-            break;
-    }
+    if (aim.what == Aim::What::finds) return unreachedFinds(world, ways, aim);
+    if (aim.what == Aim::What::notice)
+        return unreachedNotice(world, ways, world.quest.notices[aim.first]);
+    if (aim.what == Aim::What::gates) return unreachedGates(world, ways, aim.first);
     const std::optional<Goal>& goal = world.quest.goal;
     if (!goal || !goal->map || ways.comesInto(*goal->map, goal->area)) return "";
     return "a goal that nobody can reach on foot" + nearest(world, ways, *goal->map, goal->area);
 }
 
-}  // namespace
+bool isOfReach(Aim::What what) {
+    return what == Aim::What::finds || what == Aim::What::notice || what == Aim::What::gates ||
+           what == Aim::What::goal;
+}
 
-std::vector<Fault> findUnreached(const LoadedScene& scene) {
-    std::vector<Fault> warnings;
-    if (!scene.world || scene.aims.empty()) return warnings;
-    const auto warn = [&](const Aim& aim, std::string found, const char* expected) {
-        Fault& warning = warnings.emplace_back(aim.place);
-        warning.found = std::move(found);
-        warning.expected = expected;
-    };
-    const std::vector<bool> stands = standingBlocks(*scene.world);
-    std::optional<Footways> ways;
-    for (const Aim& aim : scene.aims) {
-        if (aim.what == Aim::What::block) {
-            if (!stands[aim.first])
-                warn(aim, "a blueprint that stands in no map",
-                     "its letter of the legend in the rows of a level");
-            continue;
-        }
-        if (aim.what == Aim::What::light) {
-            warn(aim, "baked light in a map whose \"light\" is on: it grows dark with the distance",
-                 "\"light\": { \"on\": false } beside \"baked\"");
-            continue;
-        }
-        if (aim.what == Aim::What::place) {
-            warn(aim, "a place that nothing names",
-                 "its name as the \"place\" of something, or no such place");
-            continue;
-        }
-        if (aim.what == Aim::What::sheet) {
-            if (isLikeASheet(*scene.world, aim.first))
-                warn(aim,
-                     "a picture so wide that it may be a sheet: all of its frames show at once",
-                     "\"frames\" beside its \"file\": how many it has");
-            continue;
-        }
-        if (aim.what == Aim::What::spare || aim.what == Aim::What::mistake) {
-            warnings.push_back(aim.place);
-            continue;
-        }
-        if (!ways) ways.emplace(*scene.world);
-        std::string found = unreached(*scene.world, *ways, aim);
-        if (!found.empty()) warn(aim, std::move(found), kWay);
-    }
+void putInOrder(std::vector<Fault>& warnings) {
     mergeSort(warnings, [](const Fault& a, const Fault& b) {
         return std::tie(a.line, a.column) < std::tie(b.line, b.column);
     });
-    return warnings;
+}
+
+}  // namespace
+
+MistakeSearch::MistakeSearch(const LoadedScene& scene, std::int64_t mostPlaces)
+    : scene_(scene), mostPlaces_(mostPlaces) {
+    if (scene.world) stands_ = standingBlocks(*scene.world);
+}
+
+bool MistakeSearch::next() {
+    if (isWalking_) {
+        isWalking_ = ways_->next();
+        return true;
+    }
+    if (!scene_.world || aims_ == scene_.aims.size()) return false;
+    const Aim& aim = scene_.aims[aims_];
+    if (!ways_ && isOfReach(aim.what)) {
+        ways_.emplace(*scene_.world, mostPlaces_);
+        isWalking_ = true;
+        return true;
+    }
+    judge(aim);
+    ++aims_;
+    return true;
+}
+
+void MistakeSearch::judge(const Aim& aim) {
+    const auto add = [&](std::vector<Fault>& list, std::string found, const char* expected) {
+        Fault& warning = list.emplace_back(aim.place);
+        warning.found = std::move(found);
+        warning.expected = expected;
+    };
+    switch (aim.what) {
+        case Aim::What::block:
+            if (!stands_[aim.first])
+                add(found_.spares, "a blueprint that stands in no map",
+                    "its letter of the legend in the rows of a level");
+            return;
+        case Aim::What::place:
+            add(found_.spares, "a place that nothing names",
+                "its name as the \"place\" of something, or no such place");
+            return;
+        case Aim::What::spare:
+            found_.spares.push_back(aim.place);
+            return;
+        case Aim::What::light:
+            add(found_.warnings,
+                "baked light in a map whose \"light\" is on: it grows dark with the distance",
+                "\"light\": { \"on\": false } beside \"baked\"");
+            return;
+        case Aim::What::sheet:
+            if (isLikeASheet(*scene_.world, aim.first))
+                add(found_.warnings,
+                    "a picture so wide that it may be a sheet: all of its frames show at once",
+                    "\"frames\" beside its \"file\": how many it has");
+            return;
+        case Aim::What::mistake:
+            found_.warnings.push_back(aim.place);
+            return;
+        case Aim::What::finds:
+        case Aim::What::notice:
+        case Aim::What::gates:
+        case Aim::What::goal:
+            break;
+    }
+    if (ways_->gaveUp()) return;
+    std::string found = unreached(*scene_.world, *ways_, aim);
+    if (!found.empty()) add(found_.warnings, std::move(found), kWay);
+}
+
+Mistakes MistakeSearch::take() {
+    putInOrder(found_.warnings);
+    putInOrder(found_.spares);
+    return std::move(found_);
+}
+
+std::vector<Fault> findUnreached(const LoadedScene& scene) {
+    MistakeSearch search(scene, std::numeric_limits<std::int64_t>::max());
+    while (search.next()) {
+    }
+    Mistakes found = search.take();
+    found.warnings.insert(found.warnings.end(), found.spares.begin(), found.spares.end());
+    putInOrder(found.warnings);
+    return std::move(found.warnings);
 }
 
 }  // namespace slicecast

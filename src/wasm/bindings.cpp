@@ -6,6 +6,7 @@
 #include "base/named.h"
 #include "base/number_text.h"
 #include "scene/scene.h"
+#include "scene/unreached.h"
 #include "session/cast_json.h"
 #include "session/cells_json.h"
 #include "session/hits_json.h"
@@ -50,6 +51,8 @@ struct SlicecastSession {
     SceneFiles files;
     EarlyImages early;  // decoded from `files`
     std::optional<SceneLoader> loader;
+    struct Mistaking;  // looks for mistakes instead of playing
+    std::unique_ptr<Mistaking> mistaking;
     std::optional<Recorder> recorder;  // of `own`, which writes to it
     std::optional<Replay> replay;
     std::unique_ptr<Session> own;
@@ -90,6 +93,19 @@ struct SlicecastSession {
     }
     void endParsing();
     void endLoading();
+    void lookForMistakes();
+    double findMistakes();
+
+    // Few sessions have any.
+    SlicecastSession() = default;
+    SlicecastSession(SlicecastSession&&) = default;
+    SlicecastSession& operator=(SlicecastSession&&) = default;
+    ~SlicecastSession();
+};
+
+struct SlicecastSession::Mistaking {
+    LoadedScene scene;
+    std::optional<MistakeSearch> search;
 };
 
 namespace {

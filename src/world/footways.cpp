@@ -6,6 +6,7 @@
 #include "world/water.h"
 
 #include <algorithm>
+#include <limits>
 #include <span>
 #include <utility>
 
@@ -125,11 +126,17 @@ constexpr NextTile kNextTiles[] = {{1, 0, Face::east, Face::west},
 
 }  // namespace
 
-Footways::Footways(const World& world)
+Footways::Footways(const World& world) : Footways(world, std::numeric_limits<std::int64_t>::max()) {
+    while (next()) {
+    }
+}
+
+Footways::Footways(const World& world, std::int64_t mostPlaces)
     : world_(world),
       isShut_(world.gates.size()),
       isMoving_(world.quest.finds.size()),
-      hasMovers_(world.maps.size()) {
+      hasMovers_(world.maps.size()),
+      places_(mostPlaces) {
     for (std::size_t i = 0; i < world.gates.size(); ++i)
         isShut_[i] = !world.gateKinds[static_cast<std::size_t>(world.gates[i].kind)].startsOpen;
     for (const ObjectMotion& motion : world.movingObjects.motions) {
@@ -139,25 +146,37 @@ Footways::Footways(const World& world)
             if (find.map == motion.map && find.object == motion.object) isMoving_[i] = true;
         }
     }
-    do {
-        explore();
-    } while (openMore());
+    begin();
 }
 
-// Finds all rooms that can be reached while those gates are shut.
-void Footways::explore() {
+// Forgets what can be reached, to find it anew while those gates are shut.
+void Footways::begin() {
+    constexpr std::int64_t kTilesOfPlace = 64;  // that take the time of a place, without a look
+    std::int64_t tiles = 0;
+    for (const Map& map : world_.maps) tiles += static_cast<std::int64_t>(map.occupied.size());
+    places_ -= tiles / kTilesOfPlace;
+    if (gaveUp()) return;
     grids_.assign(world_.maps.size(), {});
     for (std::size_t map = 0; map < grids_.size(); ++map)
         grids_[map].columns.resize(world_.maps[map].occupied.size());
     const Start& start = world_.start;
     arrive(start.map, start.x.tile(), start.y.tile(), start.z, kMaxBodyHeight, start.z);
-    while (!waiting_.empty()) {
+}
+
+bool Footways::next() {
+    constexpr int kPlacesOfTask = 16;
+    for (int i = 0; i < kPlacesOfTask && !waiting_.empty(); ++i) {
         const Spot spot = waiting_.top();
         waiting_.pop();
         if (spot.feet != roomAt(spot).feet) continue;  // it is listed higher, too
+        if (--places_ < 0) return false;
         jumpFrom(spot);
         goThroughEnds(spot);
     }
+    if (!waiting_.empty()) return true;
+    if (gaveUp() || !openMore()) return false;
+    begin();
+    return true;
 }
 
 // Opens the gates that open by now. False if there are no more.

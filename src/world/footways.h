@@ -36,6 +36,12 @@ public:
     // Looks at every place that can be reached, so it may take seconds in a large world. The world
     // must be complete, at its start, and outlive this.
     explicit Footways(const World& world);
+    // Looks while next() is called, at so many places at most. Ask it after that.
+    Footways(const World& world, std::int64_t mostPlaces);
+    // Looks at some places. False if there are no more.
+    bool next();
+    // True if there were too many: then it does not know what can be reached.
+    bool gaveUp() const { return places_ < 0; }
 
     // True if the body of a player who gets somewhere is at most so far from the box.
     bool comesWithin(int map, const Box& box, Coordinate distance) const;
@@ -99,7 +105,7 @@ private:
         friend bool operator<(const Spot& a, const Spot& b) { return a.feet < b.feet; }
     };
 
-    void explore();
+    void begin();
     bool openMore();
     bool canOpen(const Gate& gate) const;
     bool canHold(const Needs& needs) const;
@@ -125,6 +131,7 @@ private:
     std::vector<bool> isMoving_;   // by find
     std::vector<bool> hasMovers_;  // by map: whether objects move there
     std::size_t jumps_ = 0;
+    std::int64_t places_;  // that it may still look at
 };
 
 }  // namespace slicecast
