@@ -39,6 +39,13 @@
 
 using namespace slicecast;
 
+// A search for mistakes in a scene.
+struct Mistaking {
+    __attribute__((noinline)) ~Mistaking() {}  // NOLINT: a first picture needs none
+    LoadedScene scene;
+    std::optional<MistakeSearch> search;
+};
+
 // One session of JavaScript: what has been read of a scene so far, and the game. The program owns
 // the game of its session.
 struct SlicecastSession {
@@ -51,9 +58,8 @@ struct SlicecastSession {
     SceneFiles files;
     EarlyImages early;  // decoded from `files`
     std::optional<SceneLoader> loader;
-    struct Mistaking;  // looks for mistakes instead of playing
-    std::unique_ptr<Mistaking> mistaking;
-    std::optional<Recorder> recorder;  // of `own`, which writes to it
+    std::unique_ptr<Mistaking> mistaking;  // to look for mistakes instead of playing
+    std::optional<Recorder> recorder;      // of `own`, which writes to it
     std::optional<Replay> replay;
     std::unique_ptr<Session> own;
     std::optional<Recording> recording;  // read, but not yet replayed
@@ -93,19 +99,8 @@ struct SlicecastSession {
     }
     void endParsing();
     void endLoading();
-    void lookForMistakes();
-    double findMistakes();
-
-    // Few sessions have any.
-    SlicecastSession() = default;
-    SlicecastSession(SlicecastSession&&) = default;
-    SlicecastSession& operator=(SlicecastSession&&) = default;
-    ~SlicecastSession();
-};
-
-struct SlicecastSession::Mistaking {
-    LoadedScene scene;
-    std::optional<MistakeSearch> search;
+    void beginMistakes(LoadedScene loaded);
+    double nextMistakes();
 };
 
 namespace {
@@ -196,6 +191,7 @@ void SlicecastSession::endLoading() {
     loader.reset();
     files.clear();
     early = {};
+    if (mistaking) return beginMistakes(std::move(loaded));
     JsonText json;
     json.beginObject();
     writeFaults(json, "faults", loaded.faults);
@@ -214,6 +210,25 @@ void SlicecastSession::endLoading() {
         replay.reset();
     }
     parsed = {};
+}
+
+__attribute__((noinline)) void SlicecastSession::beginMistakes(LoadedScene loaded) {
+    parsed = {};
+    mistaking->scene = std::move(loaded);
+    mistaking->search.emplace(mistaking->scene, kMostPlacesOfPage);
+}
+
+__attribute__((noinline)) double SlicecastSession::nextMistakes() {
+    constexpr double kMostOfTheWay = 0.99;
+    if (mistaking->search->next()) return kMostOfTheWay;
+    const Mistakes found = mistaking->search->take();
+    mistaking->search.reset();
+    JsonText json;
+    json.beginObject();
+    writeFaults(json, "warnings", found.warnings);
+    writeFaults(json, "spares", found.spares);
+    give(json.endObject().str());
+    return 1.0;
 }
 
 extern "C" {
@@ -248,12 +263,17 @@ EMSCRIPTEN_KEEPALIVE void slicecast_parse(SlicecastSession* session, const char*
     session->parser.reset();
     session->sceneText.assign(text, static_cast<std::size_t>(textBytes));
     session->parser.emplace(session->sceneText, fileName);
+    if (session->mistaking) session->parser->lookForMistakes();
     if (!session->pictures.empty()) session->parser->takePictures(session->pictures);
 }
 
 EMSCRIPTEN_KEEPALIVE void slicecast_takePictures(SlicecastSession* session, const char* table,
                                                  int32_t tableBytes) {
     session->pictures.assign(table, static_cast<std::size_t>(tableBytes));
+}
+
+EMSCRIPTEN_KEEPALIVE void slicecast_lookForMistakes(SlicecastSession* session) {
+    session->mistaking = std::make_unique<Mistaking>();
 }
 
 EMSCRIPTEN_KEEPALIVE double slicecast_next(SlicecastSession* session) {
@@ -265,6 +285,7 @@ EMSCRIPTEN_KEEPALIVE double slicecast_next(SlicecastSession* session) {
         if (session->loader->next()) return std::min(session->loader->share(), kMostOfTheWay);
         session->endLoading();
     }
+    if (session->mistaking && session->mistaking->search) return session->nextMistakes();
     return 1.0;
 }
 

@@ -114,6 +114,12 @@ const uint32_t* slicecast_supply(SlicecastSession* session, const char* fileName
 // theirs is worked out: for a scene that has changed a little.
 void slicecast_start(SlicecastSession* session, int32_t keepsLight);
 
+// From now on the session does not play what it loads, but looks for more probable mistakes, also
+// those that take long to find. The answer of slicecast_start is {"warnings": [...], "spares":
+// [...]} then, without what loading warns of; spares are what nothing uses. Pictures only tell
+// their sizes, so they can all be blank. A scene with faults has no mistakes.
+void slicecast_lookForMistakes(SlicecastSession* session);
+
 // The size of the module's memory in use, in bytes from its start.
 uint32_t slicecast_memoryEnd(void);
 
