@@ -24,5 +24,25 @@ TEST(ShippedScenes, Load) {
     EXPECT_GT(count, 0);
 }
 
+// The tutorial's scenes name pictures beside the built page, which is one folder deeper than
+// assets.
+TEST(ShippedScenes, OfTheTutorialHaveNoMistakes) {
+    const std::filesystem::path root = SLICECAST_SOURCE_FOLDER;
+    int count = 0;
+    for (const auto& entry : std::filesystem::directory_iterator(root / "web/learn/scenes")) {
+        if (entry.path().extension() != ".json") continue;
+        std::string text = readText(entry.path());
+        for (std::size_t at = 0; (at = text.find("\"../../", at)) != std::string::npos;)
+            text.erase(at + 1, 3);
+        const LoadedScene loaded =
+            loadText(text, entry.path().filename().string(), root / "assets/scenes");
+        EXPECT_EQ(inWords(loaded.faults), "");
+        EXPECT_EQ(inWords(loaded.warnings), "");
+        EXPECT_EQ(inWords(findUnreached(loaded)), "");
+        ++count;
+    }
+    EXPECT_GT(count, 0);
+}
+
 }  // namespace
 }  // namespace slicecast
