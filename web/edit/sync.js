@@ -7,6 +7,7 @@
 //     await sync.settled();
 
 const kTypingMilliseconds = 250; // without a key before a typed text is played
+const kCalmMilliseconds = 2000; // without a change before the mistakes are looked for
 
 export class Sync {
   #scene;
@@ -15,6 +16,7 @@ export class Sync {
   #isBusy = false;
   #isStale = false;
   #timer = 0;
+  #calm = 0;
   #waiting = [];
 
   constructor(scene, caster, report) {
@@ -65,8 +67,18 @@ export class Sync {
   }
 
   #soon(milliseconds) {
+    clearTimeout(this.#calm);
     clearTimeout(this.#timer);
     this.#timer = setTimeout(() => this.#renew(), milliseconds);
+  }
+
+  // Adds the mistakes that take long to find. What nothing uses is none: it waits in the palette.
+  async #findMistakes({ warnings }) {
+    const found = await this.#caster.findMistakes().catch(() => null);
+    if (found === null || found.warnings.length === 0 || !this.isSettled) return;
+    const all = [...warnings, ...found.warnings];
+    all.sort((a, b) => a.line - b.line || a.column - b.column);
+    this.#report({ faults: [], warnings: all });
   }
 
   async #renew() {
@@ -77,7 +89,11 @@ export class Sync {
         this.#isStale = false;
         if (this.#scene.mistake !== null) break; // the text view tells it
         const report = await this.#caster.update(this.#scene.text);
-        if (report !== null) this.#report(report);
+        if (report === null) continue;
+        this.#report(report);
+        clearTimeout(this.#calm);
+        if (report.faults.length === 0)
+          this.#calm = setTimeout(() => this.#findMistakes(report), kCalmMilliseconds);
       }
     } finally {
       this.#isBusy = false;

@@ -138,6 +138,12 @@ export class Game {
     return { faults, warnings: engine.warnings };
   }
 
+  // The mistakes of the present text that take long to find; null once anything else is requested.
+  findMistakes() {
+    const turn = this.#turn;
+    return this.engine.findMistakes(this.source, () => turn === this.#turn);
+  }
+
   async #create(files, isStale) {
     const canvas = document.createElement('canvas');
     const { hear, takesKey } = this.actions;

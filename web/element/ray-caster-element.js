@@ -320,6 +320,11 @@ export class RayCaster extends Base {
     return this.#show.renew(scene);
   }
 
+  async findMistakes() {
+    this.#engine('findMistakes');
+    return this.#show.findMistakes();
+  }
+
   whenReady() {
     return this.#show.whenReady();
   }

@@ -355,6 +355,10 @@ export class Show {
     return report;
   }
 
+  findMistakes() {
+    return this.#game.findMistakes();
+  }
+
   // Fetches the scene again.
   reload({ keepEye = false } = {}) {
     if (this.#loading !== null) this.#again({ keepEye });

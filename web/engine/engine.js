@@ -25,6 +25,7 @@ const kTextShare = 0.1;
 const kFilesShare = 0.8;
 const kAdoptedSlack = 16 << 20; // bytes that playing may add to the scene: picture and view tables
 const kLandings = ['none', 'stands', 'falls', 'moved']; // as in src/session/session.h
+const kBlank = { get: () => new Uint8Array(0) }; // pictures of which only the sizes are wanted
 const kButtons = { jump: 1, fast: 2, slow: 4, use: 8, open: 16, close: 32 };
 
 export class Engine {
@@ -216,6 +217,30 @@ export class Engine {
       return (await loading.start()).faults.length === 0
         ? imageOf(drawPixels(module, session, width, height, 1), width, height)
         : null;
+    } finally {
+      module._slicecast_free(session);
+    }
+  }
+
+  // Looks for the probable mistakes that take too long for loading: {warnings, spares}, where spares
+  // are what nothing uses. Null once `isWanted` returns false. The scene is read again, in slices,
+  // and its pictures are not decoded.
+  findMistakes(source, isWanted) {
+    return this.#during(() => this.#findMistakes(source, isWanted));
+  }
+
+  async #findMistakes(source, isWanted) {
+    await this.complete();
+    const module = this.#module;
+    const session = module._slicecast_create();
+    try {
+      module._slicecast_lookForMistakes(session);
+      const loading = new SceneLoading(this, module, session, isWanted);
+      const names = await loading.readNames(source);
+      if (names === null) return null;
+      const readFile = (...which) => source.readFile(...which);
+      await loading.supplyFiles(names.files, { readFile, pictures: kBlank });
+      return await loading.start();
     } finally {
       module._slicecast_free(session);
     }
