@@ -17,6 +17,7 @@ export class Sync {
   #isStale = false;
   #timer = 0;
   #calm = 0;
+  #warnings = []; // that loading has found
   #waiting = [];
 
   constructor(scene, caster, report) {
@@ -43,7 +44,7 @@ export class Sync {
   }
 
   #take({ cells, isWhole }) {
-    if (!isWhole && this.isSettled && this.#setCells(cells)) return;
+    if (!isWhole && this.isSettled && this.#setCells(cells)) return this.#findMistakesSoon();
     this.#isStale = true;
     this.#soon(document.activeElement?.closest('.cm-editor') ? kTypingMilliseconds : 0);
   }
@@ -73,12 +74,17 @@ export class Sync {
   }
 
   // Adds the mistakes that take long to find. What nothing uses is none: it waits in the palette.
-  async #findMistakes({ warnings }) {
-    const found = await this.#caster.findMistakes().catch(() => null);
-    if (found === null || found.warnings.length === 0 || !this.isSettled) return;
-    const all = [...warnings, ...found.warnings];
-    all.sort((a, b) => a.line - b.line || a.column - b.column);
-    this.#report({ faults: [], warnings: all });
+  async #findMistakes() {
+    const found = await this.#caster.findMistakes(this.#scene.text).catch(() => null);
+    if (found === null || !this.isSettled) return;
+    const warnings = [...this.#warnings, ...found.warnings];
+    warnings.sort((a, b) => a.line - b.line || a.column - b.column);
+    this.#report({ faults: [], warnings });
+  }
+
+  #findMistakesSoon() {
+    clearTimeout(this.#calm);
+    this.#calm = setTimeout(() => this.#findMistakes(), kCalmMilliseconds);
   }
 
   async #renew() {
@@ -91,9 +97,8 @@ export class Sync {
         const report = await this.#caster.update(this.#scene.text);
         if (report === null) continue;
         this.#report(report);
-        clearTimeout(this.#calm);
-        if (report.faults.length === 0)
-          this.#calm = setTimeout(() => this.#findMistakes(report), kCalmMilliseconds);
+        this.#warnings = report.warnings;
+        if (report.faults.length === 0) this.#findMistakesSoon();
       }
     } finally {
       this.#isBusy = false;

@@ -118,13 +118,7 @@ export class Game {
   async renew(scene) {
     const { engine, source } = this;
     const turn = ++this.#turn;
-    const text = typeof scene === 'string' ? scene : readSceneObject(scene).text;
-    this.#pictures ??= keptPictures(source);
-    const renewed = {
-      ...source,
-      ...this.#pictures,
-      readText: () => new TextEncoder().encode(text),
-    };
+    const renewed = this.#sourceOf(scene);
     const faults = await engine.loadScene(renewed, {
       keepEye: true,
       isWanted: () => turn === this.#turn,
@@ -138,10 +132,21 @@ export class Game {
     return { faults, warnings: engine.warnings };
   }
 
-  // The mistakes of the present text that take long to find; null once anything else is requested.
-  findMistakes() {
+  // The mistakes in such a text that take long to find; null once anything else is requested.
+  findMistakes(scene) {
     const turn = this.#turn;
-    return this.engine.findMistakes(this.source, () => turn === this.#turn);
+    return this.engine.findMistakes(this.#sourceOf(scene), () => turn === this.#turn);
+  }
+
+  // Another text with the present files.
+  #sourceOf(scene) {
+    const text = typeof scene === 'string' ? scene : readSceneObject(scene).text;
+    this.#pictures ??= keptPictures(this.source);
+    return {
+      ...this.source,
+      ...this.#pictures,
+      readText: () => new TextEncoder().encode(text),
+    };
   }
 
   async #create(files, isStale) {

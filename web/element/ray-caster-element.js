@@ -320,9 +320,9 @@ export class RayCaster extends Base {
     return this.#show.renew(scene);
   }
 
-  async findMistakes() {
+  async findMistakes(scene) {
     this.#engine('findMistakes');
-    return this.#show.findMistakes();
+    return this.#show.findMistakes(scene);
   }
 
   whenReady() {

@@ -355,8 +355,8 @@ export class Show {
     return report;
   }
 
-  findMistakes() {
-    return this.#game.findMistakes();
+  findMistakes(scene) {
+    return this.#game.findMistakes(scene);
   }
 
   // Fetches the scene again.
