@@ -17,7 +17,7 @@ export class Sync {
   #isStale = false;
   #timer = 0;
   #calm = 0;
-  #warnings = []; // that loading has found
+  #warnings = []; // that loading has found; null beside faults
   #waiting = [];
 
   constructor(scene, caster, report) {
@@ -84,6 +84,7 @@ export class Sync {
 
   #findMistakesSoon() {
     clearTimeout(this.#calm);
+    if (this.#warnings === null) return;
     this.#calm = setTimeout(() => this.#findMistakes(), kCalmMilliseconds);
   }
 
@@ -97,8 +98,8 @@ export class Sync {
         const report = await this.#caster.update(this.#scene.text);
         if (report === null) continue;
         this.#report(report);
-        this.#warnings = report.warnings;
-        if (report.faults.length === 0) this.#findMistakesSoon();
+        this.#warnings = report.faults.length === 0 ? report.warnings : null;
+        this.#findMistakesSoon();
       }
     } finally {
       this.#isBusy = false;
