@@ -223,8 +223,8 @@ export class Engine {
   }
 
   // Looks for the probable mistakes that take too long for loading: {warnings, spares}, where
-  // spares are what nothing uses. Null once `isWanted` returns false. The scene is read again, in slices,
-  // and its pictures are not decoded.
+  // spares are what nothing uses. Null once `isWanted` returns false. The scene is read again, in
+  // slices, and its pictures are not decoded.
   findMistakes(source, isWanted) {
     return this.#during(() => this.#findMistakes(source, isWanted));
   }
