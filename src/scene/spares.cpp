@@ -102,7 +102,8 @@ std::vector<bool> standingBlocks(const World& world) {
     return stands;
 }
 
-void NameUses::note(const NameTable& table, std::string_view name) {
+// No first picture needs it.
+__attribute__((noinline)) void NameUses::note(const NameTable& table, std::string_view name) {
     names_.emplace(&table, name);
 }
 
