@@ -1,5 +1,6 @@
 #include "scene/unreached.h"
 
+#include "base/later_text.h"
 #include "base/sort.h"
 #include "base/words.h"
 #include "scene/spares.h"
@@ -12,9 +13,6 @@
 
 namespace slicecast {
 namespace {
-
-constexpr const char* kWay =
-    "a way to it from the start, without steps above 0.79, the height of a jump";
 
 bool isMoving(const World& world, int map, int object) {
     const std::vector<ObjectMotion>& motions = world.movingObjects.motions;
@@ -35,10 +33,10 @@ bool isOnTheWay(const World& world, const Footways& ways, int map) {
 std::string nearest(const World& world, const Footways& ways, int map, const Box& box) {
     const std::optional<Footways::Place> place = ways.nearestTo(map, box);
     if (!place)
-        return words("; nobody gets into the map \"",
+        return words("; nobody gets into the map \""_later,
                      world.maps[static_cast<std::size_t>(map)].name, "\" on foot");
-    return words("; the nearest place that one gets to is x ", Shortest{place->x + 0.5}, ", y ",
-                 Shortest{place->y + 0.5}, ", z ", Fixed{place->feet.value(), 2});
+    return words("; the nearest place that one gets to is x "_later, Shortest{place->x + 0.5},
+                 ", y ", Shortest{place->y + 0.5}, ", z ", Fixed{place->feet.value(), 2});
 }
 
 std::string unreachedFinds(const World& world, const Footways& ways, const Aim& aim) {
@@ -51,11 +49,11 @@ std::string unreachedFinds(const World& world, const Footways& ways, const Aim& 
         const Find& find = world.quest.finds[aim.first];
         const Map& map = world.maps[static_cast<std::size_t>(find.map)];
         const Box body = objectBody(map.objects[static_cast<std::size_t>(find.object)]);
-        return words("a find ", name, " that nobody can reach on foot",
+        return words("a find ", name, " that nobody can reach on foot"_later,
                      nearest(world, ways, find.map, body));
     }
-    return words("sown finds ", name, " of which nobody can reach ", missed, " of ", aim.count,
-                 " on foot");
+    return words("sown finds ", name, " of which nobody can reach "_later, missed, " of ",
+                 aim.count, " on foot");
 }
 
 std::string unreachedNotice(const World& world, const Footways& ways, const Notice& notice) {
@@ -67,7 +65,8 @@ std::string unreachedNotice(const World& world, const Footways& ways, const Noti
     }
     if (!isOnTheWay(world, ways, notice.map) || ways.comesWithin(notice.map, box, notice.near))
         return "";
-    return "a message that nobody can come near on foot" + nearest(world, ways, notice.map, box);
+    return "a message that nobody can come near on foot"_later +
+           nearest(world, ways, notice.map, box);
 }
 
 // What follows others, or opens at times, may be out of reach.
@@ -80,7 +79,7 @@ std::string unreachedGates(const World& world, const Footways& ways, std::size_t
             continue;
         const Map& map = world.maps[static_cast<std::size_t>(gate.map)];
         return words("a gate at x ", gate.bounds.west.tile(), ", y ", gate.bounds.north.tile(),
-                     " of the map \"", map.name, "\" that nobody can open on foot",
+                     " of the map \"", map.name, "\" that nobody can open on foot"_later,
                      nearest(world, ways, gate.map, gate.boxes.front()));
     }
     return "";
@@ -99,7 +98,8 @@ std::string unreached(const World& world, const Footways& ways, const Aim& aim) 
     if (aim.what == Aim::What::gates) return unreachedGates(world, ways, aim.first);
     const std::optional<Goal>& goal = world.quest.goal;
     if (!goal || !goal->map || ways.comesInto(*goal->map, goal->area)) return "";
-    return "a goal that nobody can reach on foot" + nearest(world, ways, *goal->map, goal->area);
+    return "a goal that nobody can reach on foot"_later +
+           nearest(world, ways, *goal->map, goal->area);
 }
 
 bool isOfReach(Aim::What what) {
@@ -146,26 +146,26 @@ void MistakeSearch::judge(const Aim& aim) {
     switch (aim.what) {
         case Aim::What::block:
             if (!stands_[aim.first])
-                add(found_.spares, "a blueprint that stands in no map",
-                    "its letter of the legend in the rows of a level");
+                add(found_.spares, "a blueprint that stands in no map"_later,
+                    "its letter of the legend in the rows of a level"_later);
             return;
         case Aim::What::place:
-            add(found_.spares, "a place that nothing names",
-                "its name as the \"place\" of something, or no such place");
+            add(found_.spares, "a place that nothing names"_later,
+                "its name as the \"place\" of something, or no such place"_later);
             return;
         case Aim::What::spare:
             found_.spares.push_back(aim.place);
             return;
         case Aim::What::light:
             add(found_.warnings,
-                "baked light in a map whose \"light\" is on: it grows dark with the distance",
-                "\"light\": { \"on\": false } beside \"baked\"");
+                "baked light in a map whose \"light\" is on: it grows dark with the distance"_later,
+                "\"light\": { \"on\": false } beside \"baked\""_later);
             return;
         case Aim::What::sheet:
             if (isLikeASheet(*scene_.world, aim.first))
                 add(found_.warnings,
-                    "a picture so wide that it may be a sheet: all of its frames show at once",
-                    "\"frames\" beside its \"file\": how many it has");
+                    "a picture so wide that it may be a sheet: all frames show at once"_later,
+                    "\"frames\" beside its \"file\": how many it has"_later);
             return;
         case Aim::What::mistake:
             found_.warnings.push_back(aim.place);
@@ -178,7 +178,10 @@ void MistakeSearch::judge(const Aim& aim) {
     }
     if (ways_->gaveUp()) return;
     std::string found = unreached(*scene_.world, *ways_, aim);
-    if (!found.empty()) add(found_.warnings, std::move(found), kWay);
+    if (!found.empty())
+        add(found_.warnings, std::move(found),
+            "a way to it from the start, without steps above 0.79, the height of a "
+            "jump"_later);
 }
 
 Mistakes MistakeSearch::take() {

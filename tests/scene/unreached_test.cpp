@@ -143,7 +143,7 @@ TEST(Unreached, MayBeSpritesThatAreSheets) {
                            "objects": [{ "sprite": "coin", "x": 2.5, "y": 1.5, "height": 0.5 }])");
     };
     EXPECT_EQ(lines(R"("broken/images/sheet.png")"),
-              "/sprites/coin: a picture so wide that it may be a sheet: all of its frames show at "
+              "/sprites/coin: a picture so wide that it may be a sheet: all frames show at "
               "once\n");
     EXPECT_EQ(lines(R"({ "file": "broken/images/sheet.png", "frames": 3 })"), "");
     EXPECT_EQ(lines(R"("broken/images/not-square.png")"), "") << "twice as wide as high";
