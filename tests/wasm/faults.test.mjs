@@ -40,6 +40,27 @@ test('warnings are the same natively and in WebAssembly, and the scene plays', a
   assert.notEqual(session.draw(8, 8), null);
 });
 
+test('mistakes that take long to find are the same natively and in WebAssembly', async () => {
+  const module = await loadModule('simd');
+  await module.complete();
+  const session = new Session(module);
+  module._slicecast_lookForMistakes(session.address);
+  const scene = join(root, 'tests/scene/everything.json');
+  session.load(scene);
+  const { warnings, spares } = JSON.parse(
+    module.UTF8ToString(module._slicecast_answer(session.address)),
+  );
+  assert.ok(warnings.length > 1 && spares.length > 5);
+  const native = spawnSync(join(root, 'build/native/bin/slicecast-check'), [scene], {
+    encoding: 'utf8',
+  });
+  assert.deepEqual(
+    [...warnings, ...spares].map(({ message }) => `warning: ${message}`).sort(),
+    native.stderr.trimEnd().split('\n').sort(),
+  );
+  assert.equal(session.draw(8, 8), null, 'it does not play');
+});
+
 test('a fault names file, place, what was found and what was expected', async () => {
   const session = new Session(await loadModule('simd'));
   const { files, faults } = session.parse('{\n  "title": 7\n}', 'odd "name".json');
