@@ -273,10 +273,10 @@ __attribute__((noinline)) std::optional<std::uint16_t> Checker::nameElsewhere(
 
 std::optional<std::uint16_t> Checker::name(JsonValue value, const NameTable& names,
                                            const char* what) {
+    if (uses_ != nullptr) uses_->note(names, value);
     const std::optional<std::string> name = text(value, kMaxNameLength, {"the name of a ", what});
     if (!name) return std::nullopt;
     const std::optional<std::uint16_t> id = names.find(*name);
-    if (uses_ != nullptr) uses_->note(names, value.text());
     return id ? id : unknownName(value, names, what);
 }
 

@@ -49,6 +49,7 @@ public:
     std::size_t count() const { return faults_.size() + omitted_ + awaiting_; }
     // Notes there which names have been asked for, from now on.
     void noteUses(NameUses& uses) { uses_ = &uses; }
+    const NameUses* uses() const { return uses_; }
 
     // The names that a table may have which is still to come; `count` has them too.
     std::size_t awaiting() const { return awaiting_; }

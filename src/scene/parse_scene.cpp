@@ -58,12 +58,6 @@ struct SceneParser::Work {
         ShippedPictures sprites;
     };
 
-    // The names that have been used.
-    struct Uses {
-        __attribute__((noinline)) ~Uses() {}  // NOLINT: a first picture needs none
-        NameUses names;
-    };
-
     Work(std::string_view given, std::string fileName)
         : text(given),
           source(given.size() <= kMaxSceneBytes ? given : std::string_view()),
@@ -76,7 +70,6 @@ struct SceneParser::Work {
     }
 
     void takePictures(std::string_view pictures);
-    void lookForMistakes();
     void addMistakes();
     void readText();
     void readScene();
@@ -97,7 +90,6 @@ struct SceneParser::Work {
     TaskList tasks;
     Reading reading{checker, *description, tasks, {}, {}, {}, {}, false, {}, 0};
     std::unique_ptr<PictureTable> table;
-    std::unique_ptr<Uses> uses;    // only to look for mistakes
     std::optional<Fields> fields;  // of the root
     ParsedScene parsed;
 };
@@ -109,14 +101,9 @@ __attribute__((noinline)) void SceneParser::Work::takePictures(std::string_view 
     reading.sprites.lookIn(table->sprites);
 }
 
-__attribute__((noinline)) void SceneParser::Work::lookForMistakes() {
-    uses = std::make_unique<Uses>();
-    checker.noteUses(uses->names);
-}
-
 __attribute__((noinline)) void SceneParser::Work::addMistakes() {
     if (checker.count() > 0) return;
-    findSpares(reading, json.tree.root(), uses->names);
+    findSpares(reading, json.tree.root(), *checker.uses());
     findThingsInTheWay(reading);
     const auto sprites = fields->find("sprites");
     if (!sprites) return;
@@ -230,7 +217,7 @@ void SceneParser::Work::findMistakes() {
         std::none_of(maps.begin(), maps.end(), [](const Map& map) { return map.baked.on; }))
         checker.warn(*reading.lamp, "a lamp, but no map with \"baked\": it does not shine"_later,
                      "\"baked\" in its map"_later);
-    if (uses != nullptr) addMistakes();
+    if (checker.uses() != nullptr) addMistakes();
 }
 
 void SceneParser::Work::finish() {
@@ -251,8 +238,8 @@ void SceneParser::takePictures(std::string_view table) {
     work_->takePictures(table);
 }
 
-void SceneParser::lookForMistakes() {
-    work_->lookForMistakes();
+void SceneParser::lookForMistakes(NameUses& uses) {
+    work_->checker.noteUses(uses);
 }
 
 bool SceneParser::next() {
@@ -273,7 +260,8 @@ ParsedScene parseScene(std::string_view text, const std::string& fileName, const
                        std::string_view pictures) {
     SceneParser parser(text, fileName);
     parser.takePictures(pictures);
-    parser.lookForMistakes();
+    NameUses uses;
+    parser.lookForMistakes(uses);
     while (parser.next()) {
         if (progress) progress(kShareOfParsing * parser.share());
     }

@@ -37,6 +37,8 @@
 
 namespace slicecast {
 
+class NameUses;
+
 struct SceneDescription;  // the checked text; opaque
 
 // Begins the names of files that are shipped, in the folder of the table. A scene cannot name such
@@ -76,8 +78,9 @@ public:
 
     // The table of shipped pictures, before the first next().
     void takePictures(std::string_view table);
-    // Looks for more probable mistakes, for findUnreached; before the first next().
-    void lookForMistakes();
+    // Looks for more probable mistakes, for findUnreached; before the first next(). The names that
+    // the scene uses are noted there meanwhile.
+    void lookForMistakes(NameUses& uses);
     // Does a part of the work. False if none was left.
     bool next();
     // What is done of the work that is known, 0 to 1.

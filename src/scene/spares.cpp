@@ -103,8 +103,8 @@ std::vector<bool> standingBlocks(const World& world) {
 }
 
 // No first picture needs it.
-__attribute__((noinline)) void NameUses::note(const NameTable& table, std::string_view name) {
-    names_.emplace(&table, name);
+__attribute__((noinline)) void NameUses::note(const NameTable& table, JsonValue name) {
+    if (name.isText()) names_.emplace(&table, name.text());
 }
 
 bool NameUses::has(const NameTable& table, std::string_view name) const {

@@ -18,8 +18,8 @@ struct Reading;
 // Which names of which tables have been asked for.
 class NameUses {
 public:
-    // The characters must outlive this.
-    void note(const NameTable& table, std::string_view name);
+    // The value, if it is a text, must outlive this.
+    void note(const NameTable& table, JsonValue name);
     bool has(const NameTable& table, std::string_view name) const;
 
 private:

@@ -6,6 +6,7 @@
 #include "base/named.h"
 #include "base/number_text.h"
 #include "scene/scene.h"
+#include "scene/spares.h"
 #include "scene/unreached.h"
 #include "session/cast_json.h"
 #include "session/cells_json.h"
@@ -39,13 +40,6 @@
 
 using namespace slicecast;
 
-// A search for mistakes in a scene.
-struct Mistaking {
-    __attribute__((noinline)) ~Mistaking() {}  // NOLINT: a first picture needs none
-    LoadedScene scene;
-    std::optional<MistakeSearch> search;
-};
-
 // One session of JavaScript: what has been read of a scene so far, and the game. The program owns
 // the game of its session.
 struct SlicecastSession {
@@ -58,8 +52,7 @@ struct SlicecastSession {
     SceneFiles files;
     EarlyImages early;  // decoded from `files`
     std::optional<SceneLoader> loader;
-    std::unique_ptr<Mistaking> mistaking;  // to look for mistakes instead of playing
-    std::optional<Recorder> recorder;      // of `own`, which writes to it
+    std::optional<Recorder> recorder;  // of `own`, which writes to it
     std::optional<Replay> replay;
     std::unique_ptr<Session> own;
     std::optional<Recording> recording;  // read, but not yet replayed
@@ -99,8 +92,6 @@ struct SlicecastSession {
     }
     void endParsing();
     void endLoading();
-    void beginMistakes(LoadedScene loaded);
-    double nextMistakes();
 };
 
 namespace {
@@ -168,6 +159,16 @@ void takeButtons(Input& input, int32_t buttons) {
     input.close = (buttons & 32) != 0;
 }
 
+// The search for mistakes in a scene. It lies outside of its session, because no first picture
+// needs it.
+struct MistakesOf {
+    SlicecastSession* session;
+    NameUses uses;
+    LoadedScene scene;
+    std::optional<MistakeSearch> search;
+};
+MistakesOf* mistakes = nullptr;
+
 }  // namespace
 
 void SlicecastSession::endParsing() {
@@ -191,7 +192,6 @@ void SlicecastSession::endLoading() {
     loader.reset();
     files.clear();
     early = {};
-    if (mistaking) return beginMistakes(std::move(loaded));
     JsonText json;
     json.beginObject();
     writeFaults(json, "faults", loaded.faults);
@@ -210,25 +210,6 @@ void SlicecastSession::endLoading() {
         replay.reset();
     }
     parsed = {};
-}
-
-__attribute__((noinline)) void SlicecastSession::beginMistakes(LoadedScene loaded) {
-    parsed = {};
-    mistaking->scene = std::move(loaded);
-    mistaking->search.emplace(mistaking->scene, kMostPlacesOfPage);
-}
-
-__attribute__((noinline)) double SlicecastSession::nextMistakes() {
-    constexpr double kMostOfTheWay = 0.99;
-    if (mistaking->search->next()) return kMostOfTheWay;
-    const Mistakes found = mistaking->search->take();
-    mistaking->search.reset();
-    JsonText json;
-    json.beginObject();
-    writeFaults(json, "warnings", found.warnings);
-    writeFaults(json, "spares", found.spares);
-    give(json.endObject().str());
-    return 1.0;
 }
 
 extern "C" {
@@ -263,17 +244,12 @@ EMSCRIPTEN_KEEPALIVE void slicecast_parse(SlicecastSession* session, const char*
     session->parser.reset();
     session->sceneText.assign(text, static_cast<std::size_t>(textBytes));
     session->parser.emplace(session->sceneText, fileName);
-    if (session->mistaking) session->parser->lookForMistakes();
     if (!session->pictures.empty()) session->parser->takePictures(session->pictures);
 }
 
 EMSCRIPTEN_KEEPALIVE void slicecast_takePictures(SlicecastSession* session, const char* table,
                                                  int32_t tableBytes) {
     session->pictures.assign(table, static_cast<std::size_t>(tableBytes));
-}
-
-EMSCRIPTEN_KEEPALIVE void slicecast_lookForMistakes(SlicecastSession* session) {
-    session->mistaking = std::make_unique<Mistaking>();
 }
 
 EMSCRIPTEN_KEEPALIVE double slicecast_next(SlicecastSession* session) {
@@ -285,7 +261,36 @@ EMSCRIPTEN_KEEPALIVE double slicecast_next(SlicecastSession* session) {
         if (session->loader->next()) return std::min(session->loader->share(), kMostOfTheWay);
         session->endLoading();
     }
-    if (session->mistaking && session->mistaking->search) return session->nextMistakes();
+    return 1.0;
+}
+
+EMSCRIPTEN_KEEPALIVE double slicecast_nextMistakes(SlicecastSession* session) {
+    constexpr double kMostOfTheWay = 0.99;
+    if (mistakes == nullptr || mistakes->session != session) {
+        delete mistakes;
+        mistakes = session != nullptr ? new MistakesOf{session, {}, {}, {}} : nullptr;
+        if (session == nullptr) return 1.0;
+    }
+    if (session->parser) {
+        session->parser->lookForMistakes(mistakes->uses);
+        const double share = slicecast_next(session);
+        if (!session->parser) mistakes->uses = {};
+        return share;
+    }
+    if (session->loader) {
+        if (session->loader->next()) return std::min(session->loader->share(), kMostOfTheWay);
+        mistakes->scene = session->loader->take();
+        session->loader.reset();
+        mistakes->search.emplace(mistakes->scene, kMostPlacesOfPage);
+    }
+    if (!mistakes->search) return 1.0;
+    if (mistakes->search->next()) return kMostOfTheWay;
+    const Mistakes found = mistakes->search->take();
+    JsonText json;
+    json.beginObject();
+    writeFaults(json, "warnings", found.warnings);
+    writeFaults(json, "spares", found.spares);
+    session->give(json.endObject().str());
     return 1.0;
 }
 

@@ -96,6 +96,13 @@ void slicecast_takePictures(SlicecastSession* session, const char* table, int32_
 // slicecast_answer has the answer.
 double slicecast_next(SlicecastSession* session);
 
+// Instead of slicecast_next from slicecast_parse on: the session does not play what it loads, but
+// more probable mistakes are looked for, also those that take long to find. The answer of
+// slicecast_start is {"warnings": [...], "spares": [...]} then, without what loading warns of;
+// spares are what nothing uses. Pictures only tell their sizes, so they can all be blank. A scene
+// with faults has no mistakes. One session at a time; without a session it ends the search.
+double slicecast_nextMistakes(SlicecastSession* session);
+
 // Valid until the session's next answer of any kind.
 const char* slicecast_answer(SlicecastSession* session);
 
@@ -113,12 +120,6 @@ const uint32_t* slicecast_supply(SlicecastSession* session, const char* fileName
 // playing. Options are kept. With `keepsLight` 1 pictures have the light of the game before until
 // theirs is worked out: for a scene that has changed a little.
 void slicecast_start(SlicecastSession* session, int32_t keepsLight);
-
-// From now on the session does not play what it loads, but looks for more probable mistakes, also
-// those that take long to find. The answer of slicecast_start is {"warnings": [...], "spares":
-// [...]} then, without what loading warns of; spares are what nothing uses. Pictures only tell
-// their sizes, so they can all be blank. A scene with faults has no mistakes.
-void slicecast_lookForMistakes(SlicecastSession* session);
 
 // The size of the module's memory in use, in bytes from its start.
 uint32_t slicecast_memoryEnd(void);

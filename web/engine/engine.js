@@ -36,6 +36,7 @@ export class Engine {
   #page; // what its modules get
   #begun = false;
   #loads = 0;
+  #searches = 0; // for mistakes
   #tasks = 0; // that use the module, and last
   #mapNames = [];
   #startMap = 0; // index of the start's map
@@ -202,46 +203,28 @@ export class Engine {
     return this.#begun;
   }
 
-  // Draws a scene from its start without showing it: ImageData, or null if the scene has faults.
-  drawAside(source, width, height) {
-    return this.#during(() => this.#drawAside(source, width, height));
-  }
-
-  async #drawAside(source, width, height) {
-    const module = this.#module;
-    const session = module._slicecast_create();
-    try {
-      const loading = new SceneLoading(this, module, session);
-      const { files } = await loading.readNames(source);
-      await loading.supplyFiles(files, source);
-      return (await loading.start()).faults.length === 0
-        ? imageOf(drawPixels(module, session, width, height, 1), width, height)
-        : null;
-    } finally {
-      module._slicecast_free(session);
-    }
-  }
-
   // Looks for the probable mistakes that take too long for loading: {warnings, spares}, where
-  // spares are what nothing uses. Null once `isWanted` returns false. The scene is read again, in
-  // slices, and its pictures are not decoded.
+  // spares are what nothing uses. Null once `isWanted` returns false, or another search began. The
+  // scene is read aside, in slices, and its pictures are not decoded.
   findMistakes(source, isWanted) {
     return this.#during(() => this.#findMistakes(source, isWanted));
   }
 
   async #findMistakes(source, isWanted) {
+    const search = ++this.#searches;
+    const isLatest = () => search === this.#searches && isWanted();
     await this.complete();
     const module = this.#module;
     const session = module._slicecast_create();
+    const searching = { __proto__: module, _slicecast_next: module._slicecast_nextMistakes };
     try {
-      module._slicecast_lookForMistakes(session);
-      const loading = new SceneLoading(this, module, session, isWanted);
+      const loading = new SceneLoading(this, searching, session, isLatest);
       const names = await loading.readNames(source);
       if (names === null) return null;
-      const readFile = (...which) => source.readFile(...which);
-      await loading.supplyFiles(names.files, { readFile, pictures: kBlank });
-      return await loading.start();
+      await loading.supplyFiles(names.files, { ...source, pictures: kBlank });
+      return isLatest() ? await loading.start() : null;
     } finally {
+      if (search === this.#searches) module._slicecast_nextMistakes(0);
       module._slicecast_free(session);
     }
   }
