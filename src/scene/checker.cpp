@@ -250,20 +250,15 @@ std::optional<std::string> Checker::text(JsonValue value, std::size_t longest,
     return std::nullopt;
 }
 
-std::optional<std::uint16_t> Checker::unknownName(JsonValue value, const NameTable& names,
-                                                  const char* what) {
-    if (names.awaitsMore()) {
-        ++awaiting_;
-        return std::nullopt;
-    }
-    return nameElsewhere(value, names, what);
-}
-
 // No first picture needs it.
 __attribute__((noinline)) std::optional<std::uint16_t> Checker::nameElsewhere(
     JsonValue value, const NameTable& names, const char* what) {
     std::optional<std::uint16_t> id;
-    if (names.more() != nullptr) id = names.more()->bring(value);
+    if (uses_ != nullptr) {
+        id = names.find(value.text());
+        uses_->note(names, value.text());
+    }
+    if (!id && names.more() != nullptr) id = names.more()->bring(value);
     if (!id && !onlyCounts()) {
         add(value, {"the name ", quoted(value.text())},
             {"the name of a ", what, names.suggestionFor(value.text())});
@@ -273,11 +268,15 @@ __attribute__((noinline)) std::optional<std::uint16_t> Checker::nameElsewhere(
 
 std::optional<std::uint16_t> Checker::name(JsonValue value, const NameTable& names,
                                            const char* what) {
-    if (uses_ != nullptr) uses_->note(names, value);
     const std::optional<std::string> name = text(value, kMaxNameLength, {"the name of a ", what});
     if (!name) return std::nullopt;
     const std::optional<std::uint16_t> id = names.find(*name);
-    return id ? id : unknownName(value, names, what);
+    if (id && uses_ == nullptr) return id;
+    if (!id && names.awaitsMore()) {
+        ++awaiting_;
+        return std::nullopt;
+    }
+    return nameElsewhere(value, names, what);
 }
 
 void Checker::checkName(JsonValue member) {

@@ -112,8 +112,6 @@ private:
         Fault fault;
     };
     // Of a name that the table does not have.
-    std::optional<std::uint16_t> unknownName(JsonValue value, const NameTable& names,
-                                             const char* what);
     std::optional<std::uint16_t> nameElsewhere(JsonValue value, const NameTable& names,
                                                const char* what);
     void addUnknownKey(JsonValue member, std::span<const std::string_view> known, Fields& fields);

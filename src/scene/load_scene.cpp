@@ -349,6 +349,12 @@ LoadedScene SceneLoader::take() {
     return loaded;
 }
 
+std::unique_ptr<LoadedScene> SceneLoader::nextOrTake() {
+    if (work_ == nullptr) return std::make_unique<LoadedScene>();
+    if (work_->tasks.doNext()) return nullptr;
+    return std::make_unique<LoadedScene>(std::move(work_->loaded));
+}
+
 LoadedScene loadScene(ParsedScene scene, const SceneFiles& files, EarlyImages early,
                       const Progress& progress) {
     SceneLoader loader(std::move(scene), files, std::move(early));

@@ -162,6 +162,8 @@ public:
     bool next();
     double share() const;
     LoadedScene take();
+    // Both, where a first picture is not waited for: null while work was left.
+    std::unique_ptr<LoadedScene> nextOrTake();
 
 private:
     struct Work;

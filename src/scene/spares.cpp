@@ -3,14 +3,16 @@
 #include "base/later_text.h"
 #include "scene/readers.h"
 
+#include <algorithm>
+
 namespace slicecast {
 namespace {
 
-using Signs = std::set<std::string_view>;
+using Signs = NameIndex;
 
 void addSigns(JsonValue text, Signs& signs) {
     for (std::size_t offset = 0; offset < text.text().size();)
-        signs.insert(takeSign(text.text(), offset));
+        signs.add(takeSign(text.text(), offset), 0);
 }
 
 void addSignsOfRows(FoundValue rows, Signs& signs) {
@@ -54,7 +56,7 @@ public:
     void findCharacters(FoundValue legend, const Signs& signs) {
         if (!legend) return;
         for (const JsonValue member : *legend) {
-            if (signs.contains(member.key())) continue;
+            if (signs.find(member.key())) continue;
             add(member, "a character of the legend that no row has"_later,
                 "the character in a row, or no such member"_later);
         }
@@ -65,7 +67,7 @@ public:
         if (!legend) return;
         for (const JsonValue member : *legend) {
             const auto id = reading_.blueprints.find(member.text());
-            if (id && !stands_[*id]) signs.insert(member.key());
+            if (id && !stands_[*id]) signs.add(member.key(), 0);
         }
         findCharacters(legend, signs);
     }
@@ -102,13 +104,17 @@ std::vector<bool> standingBlocks(const World& world) {
     return stands;
 }
 
-// No first picture needs it.
-__attribute__((noinline)) void NameUses::note(const NameTable& table, JsonValue name) {
-    if (name.isText()) names_.emplace(&table, name.text());
+void NameUses::note(const NameTable& table, std::string_view name) {
+    auto at = std::find_if(ofTables_.begin(), ofTables_.end(),
+                           [&](const auto& one) { return one.first == &table; });
+    if (at == ofTables_.end()) at = ofTables_.insert(at, {&table, {}});
+    at->second.add(name, 0);
 }
 
 bool NameUses::has(const NameTable& table, std::string_view name) const {
-    return names_.contains({&table, name});
+    return std::any_of(ofTables_.begin(), ofTables_.end(), [&](const auto& one) {
+        return one.first == &table && one.second.find(name);
+    });
 }
 
 void findSpares(Reading& reading, JsonValue root, const NameUses& uses) {
@@ -119,20 +125,23 @@ void findSpares(Reading& reading, JsonValue root, const NameUses& uses) {
                      "its name in an object, or no such sprite"_later);
     finder.findNames(root.find("motions"), reading.motions, "a motion that moves nothing"_later,
                      "its name in a blueprint, or no such motion"_later);
-    Signs ofScene;  // that mean what the legend of the scene says
+    const FoundValue ofScene = root.find("legend");
+    Signs used;  // that mean what it says
     const JsonValue maps = *root.find("maps");
     for (const JsonValue map : maps) {
         Signs signs;
         addSignsOfLevels(map.find("levels"), signs);
         const FoundValue own = map.find("legend");
         finder.findCharactersOfBlocks(own, signs);
-        for (const std::string_view sign : signs)
-            if (!own || !own->find(sign)) ofScene.insert(sign);
         finder.findCharactersOfGrid(map.find("floor"), "tiles");
         finder.findCharactersOfGrid(map.find("ceiling"), "tiles");
         finder.findCharactersOfGrid(map.find("objectRows"), "rows");
+        if (!ofScene) continue;
+        for (const JsonValue member : *ofScene)
+            if (signs.find(member.key()) && (!own || !own->find(member.key())))
+                used.add(member.key(), 0);
     }
-    finder.findCharactersOfBlocks(root.find("legend"), std::move(ofScene));
+    finder.findCharactersOfBlocks(ofScene, std::move(used));
 }
 
 }  // namespace slicecast

@@ -2,11 +2,11 @@
 // characters of legends that no row has. Those who build worlds may mean to use it later.
 #pragma once
 
+#include "base/name_index.h"
 #include "scene/json_tree.h"
 #include "scene/names.h"
 #include "world/world.h"
 
-#include <set>
 #include <string_view>
 #include <utility>
 #include <vector>
@@ -18,12 +18,12 @@ struct Reading;
 // Which names of which tables have been asked for.
 class NameUses {
 public:
-    // The value, if it is a text, must outlive this.
-    void note(const NameTable& table, JsonValue name);
+    // The characters must outlive this.
+    void note(const NameTable& table, std::string_view name);
     bool has(const NameTable& table, std::string_view name) const;
 
 private:
-    std::set<std::pair<const NameTable*, std::string_view>> names_;
+    std::vector<std::pair<const NameTable*, NameIndex>> ofTables_;
 };
 
 // By BlueprintId: the blocks of the maps, and those that they were made from.

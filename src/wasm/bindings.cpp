@@ -164,7 +164,7 @@ void takeButtons(Input& input, int32_t buttons) {
 struct MistakesOf {
     SlicecastSession* session;
     NameUses uses;
-    LoadedScene scene;
+    std::unique_ptr<LoadedScene> scene;
     std::optional<MistakeSearch> search;
 };
 MistakesOf* mistakes = nullptr;
@@ -278,10 +278,10 @@ EMSCRIPTEN_KEEPALIVE double slicecast_nextMistakes(SlicecastSession* session) {
         return share;
     }
     if (session->loader) {
-        if (session->loader->next()) return std::min(session->loader->share(), kMostOfTheWay);
-        mistakes->scene = session->loader->take();
+        mistakes->scene = session->loader->nextOrTake();
+        if (mistakes->scene == nullptr) return kMostOfTheWay;
         session->loader.reset();
-        mistakes->search.emplace(mistakes->scene, kMostPlacesOfPage);
+        mistakes->search.emplace(*mistakes->scene, kMostPlacesOfPage);
     }
     if (!mistakes->search) return 1.0;
     if (mistakes->search->next()) return kMostOfTheWay;

@@ -114,15 +114,20 @@ export class Game {
 
   // Plays another text of the present scene from where the player stands: {faults, warnings}; with
   // faults the old text goes on. Null if anything else was requested meanwhile. Pictures that the
-  // scene has are neither fetched nor decoded again.
-  async renew(scene) {
+  // scene has are neither fetched nor decoded again. Aside, it only looks for mistakes in the text.
+  async renew(scene, isAside) {
     const { engine, source } = this;
-    const turn = ++this.#turn;
-    const renewed = this.#sourceOf(scene);
-    const faults = await engine.loadScene(renewed, {
-      keepEye: true,
-      isWanted: () => turn === this.#turn,
-    });
+    const turn = isAside ? this.#turn : ++this.#turn;
+    const isWanted = () => turn === this.#turn;
+    const text = typeof scene === 'string' ? scene : readSceneObject(scene).text;
+    this.#pictures ??= keptPictures(source);
+    const renewed = {
+      ...source,
+      ...this.#pictures,
+      readText: () => new TextEncoder().encode(text),
+    };
+    if (isAside) return engine.findMistakes(renewed, isWanted);
+    const faults = await engine.loadScene(renewed, { keepEye: true, isWanted });
     if (faults === null) return null;
     if (faults.length > 0)
       return { faults: faults.map((fault) => withReason(fault, source.failures)), warnings: [] };
@@ -130,23 +135,6 @@ export class Game {
     this.#key = {}; // like no other scene
     nowPlays(engine, this.#key);
     return { faults, warnings: engine.warnings };
-  }
-
-  // The mistakes in such a text that take long to find; null once anything else is requested.
-  findMistakes(scene) {
-    const turn = this.#turn;
-    return this.engine.findMistakes(this.#sourceOf(scene), () => turn === this.#turn);
-  }
-
-  // Another text with the present files.
-  #sourceOf(scene) {
-    const text = typeof scene === 'string' ? scene : readSceneObject(scene).text;
-    this.#pictures ??= keptPictures(this.source);
-    return {
-      ...this.source,
-      ...this.#pictures,
-      readText: () => new TextEncoder().encode(text),
-    };
   }
 
   async #create(files, isStale) {

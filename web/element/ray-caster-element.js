@@ -322,7 +322,7 @@ export class RayCaster extends Base {
 
   async findMistakes(scene) {
     this.#engine('findMistakes');
-    return this.#show.findMistakes(scene);
+    return this.#show.renew(scene, true);
   }
 
   whenReady() {

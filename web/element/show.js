@@ -348,15 +348,11 @@ export class Show {
     this.#again(null);
   }
 
-  // Plays another text of the same scene; see the method update.
-  async renew(scene) {
-    const report = await this.#game.renew(scene);
-    if (report?.faults.length === 0 && this.#life !== null) this.#done(true);
+  // Plays another text of the same scene; see the methods update and findMistakes.
+  async renew(scene, isAside = false) {
+    const report = await this.#game.renew(scene, isAside);
+    if (report?.faults?.length === 0 && this.#life !== null) this.#done(true);
     return report;
-  }
-
-  findMistakes(scene) {
-    return this.#game.findMistakes(scene);
   }
 
   // Fetches the scene again.

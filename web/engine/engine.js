@@ -25,7 +25,6 @@ const kTextShare = 0.1;
 const kFilesShare = 0.8;
 const kAdoptedSlack = 16 << 20; // bytes that playing may add to the scene: picture and view tables
 const kLandings = ['none', 'stands', 'falls', 'moved']; // as in src/session/session.h
-const kBlank = { get: () => new Uint8Array(0) }; // pictures of which only the sizes are wanted
 const kButtons = { jump: 1, fast: 2, slow: 4, use: 8, open: 16, close: 32 };
 
 export class Engine {
@@ -36,7 +35,6 @@ export class Engine {
   #page; // what its modules get
   #begun = false;
   #loads = 0;
-  #searches = 0; // for mistakes
   #tasks = 0; // that use the module, and last
   #mapNames = [];
   #startMap = 0; // index of the start's map
@@ -203,30 +201,11 @@ export class Engine {
     return this.#begun;
   }
 
-  // Looks for the probable mistakes that take too long for loading: {warnings, spares}, where
-  // spares are what nothing uses. Null once `isWanted` returns false, or another search began. The
-  // scene is read aside, in slices, and its pictures are not decoded.
+  // Looks for probable mistakes in a scene: see questions.js.
   findMistakes(source, isWanted) {
-    return this.#during(() => this.#findMistakes(source, isWanted));
-  }
-
-  async #findMistakes(source, isWanted) {
-    const search = ++this.#searches;
-    const isLatest = () => search === this.#searches && isWanted();
-    await this.complete();
-    const module = this.#module;
-    const session = module._slicecast_create();
-    const searching = { __proto__: module, _slicecast_next: module._slicecast_nextMistakes };
-    try {
-      const loading = new SceneLoading(this, searching, session, isLatest);
-      const names = await loading.readNames(source);
-      if (names === null) return null;
-      await loading.supplyFiles(names.files, { ...source, pictures: kBlank });
-      return isLatest() ? await loading.start() : null;
-    } finally {
-      if (search === this.#searches) module._slicecast_nextMistakes(0);
-      module._slicecast_free(session);
-    }
+    return this.#during(() =>
+      this.questions.findMistakes(source, isWanted, (...where) => new SceneLoading(this, ...where)),
+    );
   }
 
   // Draws the current view in any size: ImageData, or null without a game.
