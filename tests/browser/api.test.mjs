@@ -212,6 +212,7 @@ test('each method returns what the table says', async () => {
       setCells: kindOf(element.setCells(null, [])),
       mark: kindOf(element.mark([])),
       update: kindOf(await element.update('{}')),
+      findMistakes: kindOf(await element.findMistakes('{}')),
       whenReady: kindOf(ready),
       record: kindOf(element.record('room')),
       takeRecording: kindOf(element.takeRecording()),

@@ -141,6 +141,64 @@ test('the plan edits the same world, level by level', async (t) => {
   assert.equal(await colourAt(12.7, 10.7), wall);
 });
 
+// A find on a wall, a barrel in a walker's way, and a sheet that is not called so.
+const kMistaken = {
+  title: 'Mistakes',
+  textures: { spare: '../textures/rock.png' },
+  sprites: { lava: '../sheets/lava.png' },
+  blueprints: { wall: { faces: 'brick-weathered' }, unused: { faces: 'brick-weathered' } },
+  legend: { '#': 'wall' },
+  maps: [
+    {
+      name: 'hall',
+      levels: [['########', '#......#', '#......#', '########']],
+      floor: 'grass-meadow',
+      objects: [
+        { sprite: 'standing-barrel', x: 4.5, y: 1.5, height: 0.5 },
+        {
+          sprite: 'standing-barrel',
+          x: 2.5,
+          y: 1.5,
+          height: 0.6,
+          motion: {
+            kind: 'patrol',
+            speed: 1,
+            path: [
+              { x: 3, y: 1.5 },
+              { x: 6, y: 1.5 },
+            ],
+          },
+        },
+        { sprite: 'lava', x: 3.5, y: 2.5, height: 0.5 },
+        { sprite: 'standing-barrel', x: 5.5, y: 2.5, z: 3, height: 0.4, find: { kind: 'crown' } },
+      ],
+    },
+  ],
+  start: { x: 1.5, y: 2.5, heading: 0 },
+};
+
+test('mistakes that take long to find are listed soon after a change', async (t) => {
+  const { page } = await openEditor(t, hashOf(kMistaken));
+  const listed = () => page.locator('#problems li').allTextContents();
+  await told(page, () => {
+    const { scene } = window.slicecastEditor;
+    scene.apply([{ offset: scene.text.indexOf('Mistakes'), length: 0, content: 'My ' }]);
+  });
+  await page.waitForSelector('#problems:not([hidden])');
+  const lines = await listed();
+  assert.equal(lines.length, 3, lines.join(' '));
+  assert.match(lines[0], /^sprites, lava: found a picture so wide that it may be a sheet/);
+  assert.match(lines[1], /a way to this point through the object at x 4.50/);
+  assert.match(lines[2], /a find "crown" that nobody can reach on foot/);
+  await told(page, () => {
+    const { scene } = window.slicecastEditor;
+    const text = scene.text;
+    const content = text.replace('"z": 3', '"z": 0').replace('"z":3', '"z":0');
+    scene.apply([{ offset: 0, length: text.length, content }]);
+  });
+  await page.waitForFunction(() => document.querySelectorAll('#problems li').length === 2);
+});
+
 test('the text is the same document: typing changes the world, faults leave it', async (t) => {
   const { page } = await openEditor(t);
   await page.keyboard.press('KeyJ');

@@ -629,6 +629,7 @@ test('methods that need a scene throw before it has loaded, and whenReady loads 
       setCells: [null, []],
       mark: [[]],
       update: ['{}'],
+      findMistakes: ['{}'],
     };
     const codes = {};
     for (const [name, values] of Object.entries(calls)) {

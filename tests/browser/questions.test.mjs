@@ -281,3 +281,48 @@ test('drawnColumns shows the picture with only so many slices drawn', async (t) 
     assert.deepEqual(await elementPixel(page, 'a'), colour, String(drawn));
   }
 });
+
+test('findMistakes() looks for more mistakes in a text, and leaves the game alone', async (t) => {
+  const page = await openRoom(t);
+  const told = await page.evaluate(async () => {
+    const a = document.getElementById('a');
+    const scene = await (await fetch('scenes/room.json')).json();
+    const found = (mistakes) =>
+      mistakes &&
+      [mistakes.warnings, mistakes.spares].map((list) => list.map((one) => one.pointer));
+    const sound = await a.findMistakes(scene);
+    scene.title = 'Another';
+    scene.blueprints.spare = scene.blueprints.wall;
+    scene.maps[0].baked = {};
+    scene.maps[0].light = {};
+    const count = performance.getEntriesByType('resource').length;
+    const bad = await a.findMistakes(scene);
+    const fetched = performance.getEntriesByType('resource').length - count;
+    const faulty = [await a.findMistakes('{'), await a.findMistakes('{}')];
+    const both = await Promise.all([a.findMistakes(scene), a.findMistakes(scene)]);
+    const [replaced] = await Promise.all([a.findMistakes(scene), a.update(scene)]);
+    const last = await a.findMistakes(JSON.stringify(scene));
+    return {
+      sound,
+      bad: found(bad),
+      fetched,
+      faulty,
+      both: both.map(found),
+      replaced,
+      last: found(last),
+      title: a.world.title,
+    };
+  });
+  const none = { warnings: [], spares: [] };
+  const mistakes = [['/maps/0/baked'], ['/blueprints/spare']];
+  assert.deepEqual(told, {
+    sound: none,
+    bad: mistakes,
+    fetched: 0,
+    faulty: [none, none],
+    both: [null, mistakes],
+    replaced: null,
+    last: mistakes,
+    title: 'Another',
+  });
+});

@@ -8,7 +8,7 @@ import process from 'node:process';
 import { test } from 'node:test';
 
 import { load } from '../../build/web/node/index.js';
-import { shippedScenes } from '../wasm/load.mjs';
+import { mistakesOf, shippedScenes } from '../wasm/load.mjs';
 import { editModules, seededRandom } from './modules.mjs';
 
 const { kSureCharacters, linkOf, printed, templates, textOf } = await editModules();
@@ -25,6 +25,10 @@ for (const { name, scene } of templates) {
     assert.deepEqual(JSON.parse(text), JSON.parse(JSON.stringify(scene())));
     const running = await load(scene());
     assert.deepEqual(running.warnings, []);
+    // Blocks that stand nowhere yet are there to build with.
+    const { warnings, spares } = await mistakesOf(scene());
+    assert.deepEqual(warnings, []);
+    for (const { pointer } of spares) assert.match(pointer, /^\/(blueprints|legend)\//);
     running.step(60, { forward: 1 });
     running.free();
     const link = linkOf(text, kBase);

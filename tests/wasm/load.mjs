@@ -10,8 +10,10 @@ import { dirname, join, resolve } from 'node:path';
 import { fileURLToPath } from 'node:url';
 
 import { createModule } from '../../build/web/engine/engine-module.js';
+import { Engine } from '../../build/web/engine/engine.js';
 import { Questions } from '../../build/web/engine/questions.js';
 import { readEngine } from '../../build/web/node/engine-files.js';
+import { openScene } from '../../build/web/node/scene-files.js';
 
 export const root = resolve(dirname(fileURLToPath(import.meta.url)), '../..');
 export const flavours = ['simd', 'scalar'];
@@ -28,6 +30,16 @@ export const shippedTours = readdirSync(join(root, 'assets/tours')).map((name) =
 export async function loadModule(flavour) {
   const { program, later } = await readEngine(flavour);
   return createModule(program, { later });
+}
+
+// Those that take long to find, {warnings, spares}, in a scene as for `load` of the package.
+export async function mistakesOf(scene) {
+  const engine = await Engine.create({ files: await readEngine('auto') });
+  try {
+    return await engine.findMistakes(openScene(scene), () => true);
+  } finally {
+    engine.stop();
+  }
 }
 
 export class Session {

@@ -20,7 +20,7 @@ import { promisify } from 'node:util';
 import { Pictures } from '../../tools/docs/pictures.mjs';
 import { objectKinds } from '../../tools/docs/schema-kinds.mjs';
 import { crashToo } from '../node/crash.mjs';
-import { root } from '../wasm/load.mjs';
+import { mistakesOf, root } from '../wasm/load.mjs';
 
 const run = promisify(execFile);
 
@@ -145,6 +145,14 @@ function* objectsOf(node) {
   if (node.properties) yield Object.keys(node.properties);
   for (const value of Object.values(node)) yield* objectsOf(value);
 }
+
+test('no scene of the docs has a probable mistake', async () => {
+  const folder = path.join(site, 'docs/scenes');
+  const names = filesIn(folder, '.json');
+  assert.ok(names.length > 15);
+  for (const name of names)
+    assert.deepEqual((await mistakesOf(path.join(folder, name))).warnings, [], name);
+});
 
 test('the reference has every key of the schema, with what it takes and an example', () => {
   const html = read(site, 'docs/scene-reference.html');
