@@ -99,8 +99,8 @@ double slicecast_next(SlicecastSession* session);
 // Instead of slicecast_next from slicecast_parse on: the session does not play what it loads, but
 // more probable mistakes are looked for, also those that take long to find. The answer of
 // slicecast_start is {"warnings": [...], "spares": [...]} then, without what loading warns of;
-// spares are what nothing uses. Pictures only tell their sizes, so they can all be blank. A scene
-// with faults has no mistakes. One session at a time; without a session it ends the search.
+// spares are what nothing uses. A scene with faults has no mistakes. One session at a time; without
+// a session it ends the search.
 double slicecast_nextMistakes(SlicecastSession* session);
 
 // Valid until the session's next answer of any kind.

@@ -178,24 +178,24 @@ const kMistaken = {
 };
 
 test('mistakes that take long to find are listed soon after a change', async (t) => {
-  const { page } = await openEditor(t, hashOf(kMistaken));
-  const listed = () => page.locator('#problems li').allTextContents();
-  await told(page, () => {
-    const { scene } = window.slicecastEditor;
-    scene.apply([{ offset: scene.text.indexOf('Mistakes'), length: 0, content: 'My ' }]);
-  });
+  const { page } = await openEditor(t);
+  const write = (content) =>
+    told(
+      page,
+      (text) => {
+        const { scene } = window.slicecastEditor;
+        scene.apply([{ offset: 0, length: scene.text.length, content: text }]);
+      },
+      content,
+    );
+  await write(JSON.stringify(kMistaken, null, 2));
   await page.waitForSelector('#problems:not([hidden])');
-  const lines = await listed();
+  const lines = await page.locator('#problems li').allTextContents();
   assert.equal(lines.length, 3, lines.join(' '));
   assert.match(lines[0], /^sprites, lava: found a picture so wide that it may be a sheet/);
   assert.match(lines[1], /a way to this point through the object at x 4.50/);
   assert.match(lines[2], /a find "crown" that nobody can reach on foot/);
-  await told(page, () => {
-    const { scene } = window.slicecastEditor;
-    const text = scene.text;
-    const content = text.replace('"z": 3', '"z": 0').replace('"z":3', '"z":0');
-    scene.apply([{ offset: 0, length: text.length, content }]);
-  });
+  await write((await textOf(page)).replace('"z": 3', '"z": 0'));
   await page.waitForFunction(() => document.querySelectorAll('#problems li').length === 2);
 });
 

@@ -28,7 +28,8 @@ for (const { name, scene } of templates) {
     // Blocks that stand nowhere yet are there to build with.
     const { warnings, spares } = await mistakesOf(scene());
     assert.deepEqual(warnings, []);
-    for (const { pointer } of spares) assert.match(pointer, /^\/(blueprints|legend)\//);
+    for (const { pointer } of spares)
+      assert.match(pointer, /^\/(blueprints|legend|textures|sprites)\//);
     running.step(60, { forward: 1 });
     running.free();
     const link = linkOf(text, kBase);

@@ -15,7 +15,6 @@ const kColumnsAtOnce = 16; // a few hundred KB of the module's memory
 const kMostColumns = 8192; // as the engine's pictures
 const kCoordinateLimit = 32767; // src/base/coordinate.h
 const kMostMarks = 16384; // src/overlay/marks.h
-const kBlank = { get: () => new Uint8Array(0) }; // pictures of which only the sizes are wanted
 const kColour = /^#[0-9a-f]{6}$/i;
 
 const searches = new WeakMap(); // module -> the session of its latest search for mistakes
@@ -79,7 +78,7 @@ export class Questions {
 
   // The probable mistakes in a scene that take too long for loading: {warnings, spares}, where
   // spares are what nothing uses. Null once `isWanted` returns false, or another search began. The
-  // scene is read aside, in slices, by what `load` gives, and its pictures are not decoded.
+  // scene is read aside, in slices, by what `load` gives.
   async findMistakes(source, isWanted, load) {
     const module = this.#module;
     const session = module._slicecast_create();
@@ -90,7 +89,7 @@ export class Questions {
     try {
       const names = await loading.readNames(source);
       if (names === null) return null;
-      await loading.supplyFiles(names.files, { ...source, pictures: kBlank });
+      await loading.supplyFiles(names.files, source);
       return isLatest() ? await loading.start() : null;
     } finally {
       if (searches.get(module) === session) module._slicecast_nextMistakes(0);
