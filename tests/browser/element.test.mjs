@@ -645,7 +645,7 @@ test('methods that need a scene throw before it has loaded, and whenReady loads 
     return codes;
   });
   assert.deepEqual([...new Set(Object.values(refusals))], ['not-ready']);
-  assert.equal(Object.keys(refusals).length, 18);
+  assert.equal(Object.keys(refusals).length, 19);
   assert.equal(
     await page.evaluate(() => document.getElementById('a').state),
     'idle',
