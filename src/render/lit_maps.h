@@ -97,8 +97,9 @@ private:
         std::uint32_t change = 0;
         FaceNodes nodes;
     };
-    static constexpr std::size_t kRecent = 4096;            // a power of two
-    static constexpr std::size_t kFirstRecordSlots = 1024;  // one, too
+    // Powers of two.
+    static constexpr std::size_t kRecent = 4096;
+    static constexpr std::size_t kFirstRecordSlots = 1024;
 
     struct LitObject {
         std::uint64_t touched = 0;

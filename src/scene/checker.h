@@ -47,7 +47,7 @@ public:
 
     // Faults so far; a part of the tree is sound if none was added while it was read.
     std::size_t count() const { return faults_.size() + omitted_ + awaiting_; }
-    // Notes there which names have been asked for, from now on.
+    // From now on it is noted in `uses` which names have been asked for.
     void noteUses(NameUses& uses) { uses_ = &uses; }
     const NameUses* uses() const { return uses_; }
 

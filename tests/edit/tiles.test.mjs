@@ -5,7 +5,7 @@ import { test } from 'node:test';
 
 import { editModules } from './modules.mjs';
 
-const { Editor, History, line, paint, printed, SceneDocument, textureOfTile, tileChanges } =
+const { Editor, History, line, paint, printed, SceneDocument, textureOfSign, tileChanges } =
   await editModules();
 
 function opened(tool, map = {}) {
@@ -42,6 +42,9 @@ const inPlan = (x, y, level = 0) => ({
   before: { level, x, y },
 });
 
+const textureAt = (scene, layer, x, y) =>
+  textureOfSign(scene.value.maps[0][layer], layer, scene.sign(0, layer, x, y));
+
 test('a drag over the floor paints its tiles, in a stroke that is undone at once', () => {
   const { scene, history, editor } = opened(paint);
   const before = scene.text;
@@ -56,8 +59,8 @@ test('a drag over the floor paints its tiles, in a stroke that is undone at once
     legend: { s: 'sand' },
     tiles: ['ssss', '...s', '....', '....'],
   });
-  assert.equal(textureOfTile(scene, 0, 'floor', 3, 1), 'sand');
-  assert.equal(textureOfTile(scene, 0, 'floor', 2, 1), 'grass');
+  assert.equal(textureAt(scene, 'floor', 3, 1), 'sand');
+  assert.equal(textureAt(scene, 'floor', 2, 1), 'grass');
   editor.press(onFloor(1, 0), { removes: true });
   editor.release();
   assert.equal(scene.rows(0, 'floor')[0], 's.ss');
@@ -101,8 +104,8 @@ test('a first tile of a ceiling makes one that is open elsewhere; later ones hav
     tiles: ['    ', ' .. ', '    ', '   s'],
     legend: { s: 'sand' },
   });
-  assert.equal(textureOfTile(scene, 0, 'ceiling', 0, 0), null, 'the sky');
-  assert.equal(textureOfTile(scene, 0, 'ceiling', 1, 1), 'wood');
+  assert.equal(textureAt(scene, 'ceiling', 0, 0), null, 'the sky');
+  assert.equal(textureAt(scene, 'ceiling', 1, 1), 'wood');
 });
 
 test('a known sign of the layer is used, and what lies outside is left out', () => {

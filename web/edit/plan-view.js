@@ -238,12 +238,12 @@ export class PlanView extends CanvasView {
     const { scene, target, edited } = this.editor;
     const { start } = scene.value;
     const size = Math.max(kLeastIcon, Math.min(kMostIcon, this.scale));
-    const is = (other, path) => other != null && String(other) === String(path);
+    const chosen = [target?.thing, edited].filter(Boolean).map(String);
     const all = this.#inSight(handlesOf(scene, map, null), size / this.scale);
     const isCrowded = all.length > kMostIcons;
     for (const { path, kind, x, y } of all) {
       if (kind === 'way') continue; // drawn with its links
-      const isChosen = is(target?.thing, path) || is(edited, path);
+      const isChosen = chosen.length > 0 && chosen.includes(String(path));
       if (isCrowded && kind === 'object' && !isChosen) {
         context.fillStyle = thingColour(kind);
         context.fillRect(x * this.scale - 1, y * this.scale - 1, 3, 3);

@@ -3,8 +3,7 @@
 //
 //     tileChanges(scene, 0, 'floor', [{ x: 1, y: 2 }], 'sand')
 //     tileChanges(scene, 0, 'ceiling', places, null)           // the layer's own texture again
-//     textureOfTile(scene, 0, 'floor', 1, 2)                   // a texture's name, or null
-//     textureOfSign(scene.value.maps[0].floor, 'floor', 's')   // of the tiles with that character
+//     textureOfSign(scene.value.maps[0].floor, 'floor', 's')   // a texture's name, or null
 //
 // A map without a ceiling gets one above its highest level, open to the sky but for those tiles.
 
@@ -17,12 +16,6 @@ const layerOf = (scene, map, layer) => {
   const present = scene.value.maps[map][layer];
   return typeof present === 'string' ? { texture: present } : (present ?? null);
 };
-
-export function textureOfTile(scene, map, layer, x, y) {
-  const said = layerOf(scene, map, layer);
-  const sign = said?.tiles === undefined ? kEmpty : scene.sign(map, layer, x, y);
-  return textureOfSign(said, layer, sign);
-}
 
 // Of what a scene says of a floor or a ceiling that has tiles.
 export function textureOfSign(said, layer, sign) {
