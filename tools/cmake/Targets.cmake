@@ -85,6 +85,10 @@ function(slicecastTest name)
   target_include_directories(${name} PRIVATE ${PROJECT_SOURCE_DIR}/src ${PROJECT_SOURCE_DIR}/tests)
   target_compile_definitions(${name} PRIVATE SLICECAST_SOURCE_FOLDER="${PROJECT_SOURCE_DIR}")
   target_link_libraries(${name} PRIVATE ${test_WITH} GTest::gtest_main slicecast_flags)
+  if(NOT test_SHARDS)
+    # Such tests are compiled for longer than they run; what they test keeps its own level.
+    target_compile_options(${name} PRIVATE -Og)
+  endif()
   set_target_properties(${name} PROPERTIES RUNTIME_OUTPUT_DIRECTORY ${PROJECT_BINARY_DIR}/tests)
   if(NOT CMAKE_UNITY_BUILD)
     # Some files at a time: they share most headers.
