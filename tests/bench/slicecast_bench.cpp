@@ -6,12 +6,14 @@
 //     slicecast-bench ASSETS ROUNDS views TITLE...     the same of a few views: "castle, start"
 //     slicecast-bench ASSETS ROUNDS overlays [NAME]    prints what each overlay takes, or one
 //     slicecast-bench ASSETS ROUNDS light [SCENE]      prints what baked light takes
+//     slicecast-bench ASSETS FRAMES shipped [SCENE...] prints what the starts of scenes take
 
 #include "baked_light.h"
 #include "limit_kernel.h"
 #include "overlays.h"
 #include "phases.h"
 #include "processor_time.h"
+#include "shipped.h"
 #include "views.h"
 #include "world/world_step.h"
 
@@ -214,12 +216,12 @@ int main(int argc, char** argv) {
     const std::vector<std::string> words(argv, argv + argc);
     const std::string what = argc > 3 ? words[3] : "";
     const int rounds = argc >= 3 ? std::atoi(argv[2]) : 0;
-    const bool isUnderstood = argc <= 3 || (what == "views" && argc > 4) ||
+    const bool isUnderstood = argc <= 3 || (what == "views" && argc > 4) || what == "shipped" ||
                               ((what == "overlays" || what == "light") && argc <= 5);
     if (rounds < 1 || !isUnderstood) {
         std::fprintf(stderr,
                      "usage: slicecast-bench ASSETS_FOLDER ROUNDS [views TITLE... | overlays "
-                     "[NAME] | light [SCENE]]\n");
+                     "[NAME] | light [SCENE] | shipped [SCENE...]]\n");
         return 2;
     }
     if (what == "overlays")
@@ -227,5 +229,6 @@ int main(int argc, char** argv) {
     if (what == "light")
         return slicecast::printBakedLight(words[1], rounds, argc == 5 ? words[4] : "") ? 0 : 1;
     const std::vector<std::string> titles(words.begin() + std::min(argc, 4), words.end());
+    if (what == "shipped") return slicecast::printShipped(words[1], rounds, titles) ? 0 : 1;
     return slicecast::run(words[1], rounds, titles);
 }
