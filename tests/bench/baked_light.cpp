@@ -1,11 +1,9 @@
 #include "baked_light.h"
 
-#include "files/scene_file.h"
-#include "processor_time.h"
-#include "session/session.h"
+#include "canvas.h"
+#include "views.h"
 
 #include <algorithm>
-#include <array>
 #include <cstdio>
 #include <memory>
 #include <vector>
@@ -13,28 +11,15 @@
 namespace slicecast {
 namespace {
 
-constexpr std::array kLitScenes = {"harbour-town", "castle",     "hill-abbey", "garden",
-                                   "glassworks",   "library",    "temple",     "water-palace",
-                                   "night-works",  "first-walk", "wayhouse"};
 constexpr int kSteadyFrames = 4;  // of a round
 constexpr int kStepsPerFrame = 2;
 constexpr int kGateFrames = 60;
 constexpr int kLastFrames = 10;  // in which no gate opens any more
 
-class LitCanvas {
-public:
-    // Milliseconds of the processor that drawing takes.
-    double draw(Session& session) {
-        const double begin = processorSeconds();
-        session.draw({pixels_.data(), kWidth, kHeight, kWidth});
-        return (processorSeconds() - begin) * 1e3;
-    }
-
-private:
-    static constexpr int kWidth = 1280;
-    static constexpr int kHeight = 720;
-    std::vector<Pixel> pixels_ = std::vector<Pixel>(static_cast<std::size_t>(kWidth) * kHeight);
-};
+// Milliseconds of the processor that drawing takes.
+double drawingTime(Session& session, Canvas& canvas) {
+    return secondsOf([&] { session.draw(canvas.picture()); }) * 1e3;
+}
 
 double middleOf(std::vector<double> values) {
     std::sort(values.begin(), values.end());
@@ -60,14 +45,14 @@ struct LitTimes {
     std::vector<double> steady;  // later ones
     std::vector<double> plain;   // without baked light
 
-    void measure(const World& world, LitCanvas& canvas) {
+    void measure(const World& world, Canvas& canvas) {
         LitPair pair(world);
-        canvas.draw(pair.plain);  // brings textures into the caches
-        const double first = canvas.draw(pair.lit);
+        drawingTime(pair.plain, canvas);  // brings textures into the caches
+        const double first = drawingTime(pair.lit, canvas);
         std::vector<double> later;
         for (int i = 0; i < kSteadyFrames; ++i) {
-            later.push_back(canvas.draw(pair.lit));
-            plain.push_back(canvas.draw(pair.plain));
+            later.push_back(drawingTime(pair.lit, canvas));
+            plain.push_back(drawingTime(pair.plain, canvas));
         }
         bake.push_back(first - middleOf(later));
         steady.insert(steady.end(), later.begin(), later.end());
@@ -89,7 +74,7 @@ std::vector<Eye> eyesBefore(const Gate& gate) {
 
 // What baked light adds to the dearest frame while a gate opens, milliseconds more than to a frame
 // in which nothing changes. The least of some repetitions; the dearest of all gates and eyes.
-double dearestGateFrame(const World& world, LitCanvas& canvas, int repetitions) {
+double dearestGateFrame(const World& world, Canvas& canvas, int repetitions) {
     double dearest = 0.0;
     for (const Gate& gate : world.gates) {
         for (const Eye& eye : eyesBefore(gate)) {
@@ -98,14 +83,14 @@ double dearestGateFrame(const World& world, LitCanvas& canvas, int repetitions) 
                 LitPair pair(world);
                 pair.lit.setEye(eye);
                 pair.plain.setEye(eye);
-                canvas.draw(pair.lit);
-                canvas.draw(pair.plain);
+                drawingTime(pair.lit, canvas);
+                drawingTime(pair.plain, canvas);
                 for (int frame = 0; frame < kGateFrames; ++frame) {
                     for (int step = 0; step < kStepsPerFrame; ++step)
                         pair.step({.open = frame == 0});
-                    const double lit = canvas.draw(pair.lit);
+                    const double lit = drawingTime(pair.lit, canvas);
                     double& cost = least[static_cast<std::size_t>(frame)];
-                    cost = std::min(cost, lit - canvas.draw(pair.plain));
+                    cost = std::min(cost, lit - drawingTime(pair.plain, canvas));
                 }
             }
             const double steady = middleOf({least.end() - kLastFrames, least.end()});
@@ -117,20 +102,20 @@ double dearestGateFrame(const World& world, LitCanvas& canvas, int repetitions) 
 
 }  // namespace
 
-bool printBakedLight(const std::string& assets, int rounds, const std::string& only) {
-    LitCanvas canvas;
-    for (const char* name : kLitScenes) {
-        if (!only.empty() && only != name) continue;
-        const LoadedScene scene = readSceneFile(assets + "/scenes/" + name + ".json");
-        if (!scene.world) return false;
+bool printBakedLight(const std::string& root, int rounds, const std::vector<std::string>& scenes) {
+    Canvas canvas;
+    for (const std::string& name : scenes) {
+        const std::unique_ptr<Session> session = openScene(root, name);
+        if (!session) return false;
+        const World world = session->takeWorld();
         LitTimes times;
-        for (int round = 0; round < rounds; ++round) times.measure(*scene.world, canvas);
+        for (int round = 0; round < rounds; ++round) times.measure(world, canvas);
         const double first = times.bake.front();
         const double steady = middleOf(times.steady);
         const double plain = middleOf(times.plain);
         std::printf("%-13s bake %6.2f ms  the first %6.2f  steady %5.2f of %5.2f  gate %6.2f\n",
-                    name, middleOf(times.bake), first, steady - plain, steady,
-                    dearestGateFrame(*scene.world, canvas, 3));
+                    name.c_str(), middleOf(times.bake), first, steady - plain, steady,
+                    dearestGateFrame(world, canvas, 3));
         std::fflush(stdout);
     }
     return true;

@@ -3,11 +3,12 @@
 #pragma once
 
 #include <string>
+#include <vector>
 
 namespace slicecast {
 
-// Prints a line for each scene with baked light, or for one of that name: milliseconds at 1280x720,
-// medians over so many rounds. False if a scene cannot be opened.
-bool printBakedLight(const std::string& assets, int rounds, const std::string& only);
+// Prints a line for each of these shipped scenes: milliseconds, medians over so many rounds. False
+// if a scene cannot be opened.
+bool printBakedLight(const std::string& root, int rounds, const std::vector<std::string>& scenes);
 
 }  // namespace slicecast

@@ -1,9 +1,8 @@
 #include "overlays.h"
 
 #include "base/hash.h"
-#include "files/scene_file.h"
-#include "processor_time.h"
-#include "session/session.h"
+#include "canvas.h"
+#include "views.h"
 
 #include <algorithm>
 #include <array>
@@ -15,8 +14,6 @@
 namespace slicecast {
 namespace {
 
-constexpr int kWidth = 1280;
-constexpr int kHeight = 720;
 constexpr std::array kScenes = {"harbour-town", "castle", "water-palace", "library"};
 
 struct Case {
@@ -45,23 +42,27 @@ const std::vector<Case> kCases = {
 // A session with a clock that tells it nothing, and notes down how long the view and the overlays
 // of each picture have taken.
 struct Walk {
-    Session session;
+    std::unique_ptr<Session> session;
     std::vector<double> readings;
     std::vector<double> view;
     std::vector<double> overlays;
     Hash hash;
 
-    explicit Walk(World world) : session(std::move(world)) {
-        session.setClock([this] {
+    Walk(std::unique_ptr<Session> opened, const Case& each) : session(std::move(opened)) {
+        for (const auto& [name, value] : each.options) {
+            const std::string fault = session->setOption(name, value);
+            if (!fault.empty()) std::fprintf(stderr, "%s\n", fault.c_str());
+        }
+        session->setClock([this] {
             readings.push_back(processorSeconds());
             return 0.0;
         });
     }
 
     void draw(const Picture& picture, bool counts) {
-        session.step({.forward = 0.3, .turn = 0.4});
+        session->step({.forward = 0.3, .turn = 0.4});
         readings.clear();
-        session.draw(picture);
+        session->draw(picture);
         if (!counts || readings.size() != 3) return;
         view.push_back((readings[1] - readings[0]) * 1e3);
         overlays.push_back((readings[2] - readings[1]) * 1e3);
@@ -79,35 +80,24 @@ double median(std::vector<double> values) {
     return values[values.size() / 2];
 }
 
-std::unique_ptr<Walk> beginWalk(const std::string& path, const Case& each) {
-    LoadedScene scene = readSceneFile(path);
-    if (!scene.world) return nullptr;
-    auto walk = std::make_unique<Walk>(std::move(*scene.world));
-    for (const auto& [name, value] : each.options) {
-        const std::string fault = walk->session.setOption(name, value);
-        if (!fault.empty()) std::fprintf(stderr, "%s\n", fault.c_str());
-    }
-    return walk;
-}
-
 }  // namespace
 
-bool printOverlays(const std::string& assets, int frames, const std::string& only) {
-    std::vector<Pixel> pixels(static_cast<std::size_t>(kWidth) * kHeight);
-    const Picture picture = {pixels.data(), kWidth, kHeight, kWidth};
+bool printOverlays(const std::string& root, int frames, const std::string& only) {
+    Canvas canvas;
     const int warmUp = 5 + frames / 10;
     for (const char* scene : kScenes) {
         for (const Case& each : kCases) {
             if (!only.empty() && only != each.name) continue;
-            const auto walk = beginWalk(assets + "/scenes/" + scene + ".json", each);
-            if (!walk) return false;
-            for (int i = -warmUp; i < frames; ++i) walk->draw(picture, i >= 0);
-            const double most = *std::max_element(walk->overlays.begin(), walk->overlays.end());
-            const double overlay = median(walk->overlays);
-            const double view = median(walk->view);
+            std::unique_ptr<Session> session = openScene(root, scene);
+            if (!session) return false;
+            Walk walk(std::move(session), each);
+            for (int i = -warmUp; i < frames; ++i) walk.draw(canvas.picture(), i >= 0);
+            const double most = *std::max_element(walk.overlays.begin(), walk.overlays.end());
+            const double overlay = median(walk.overlays);
+            const double view = median(walk.view);
             std::printf("%-13s %-19s %7.3f ms  most %7.3f  view %6.2f  ratio %5.2f  %016llx\n",
                         scene, each.name, overlay, most, view, overlay / view,
-                        static_cast<unsigned long long>(walk->hash.value()));
+                        static_cast<unsigned long long>(walk.hash.value()));
         }
     }
     return true;

@@ -18,18 +18,9 @@ double secondsOfReading() {
 
 }  // namespace
 
-Phases& Phases::operator+=(const Phases& other) {
-    setUp += other.setUp;
-    walk += other.walk;
-    paint += other.paint;
-    copy += other.copy;
-    return *this;
-}
-
-PhasedFrame::PhasedFrame(World world, const Eye& eye, const RenderOptions& options)
-    : world_(std::move(world)), eye_(eye), options_(options) {}
-
 Phases PhasedFrame::draw(const Picture& picture) {
+    // The light that the session has worked out
+    std::swap(memory_.lit, session_.renderer().lit());
     // An engine of WebAssembly reads it sooner once it has compiled it.
     secondsOfReading_ = std::min(secondsOfReading_, secondsOfReading());
     Phases phases;
@@ -42,12 +33,15 @@ Phases PhasedFrame::draw(const Picture& picture) {
         last = now;
     };
 
+    const Eye eye = session_.eye();
     strip_.resize(picture.height);
-    const Frame frame(world_, eye_, options_, picture.width, picture.height, memory_);
+    const RenderOptions options = renderOptions(session_.options(), picture.width, picture.height);
+    const Frame frame(session_.world(), eye, options, picture.width, picture.height, memory_);
     StripWalk walk(frame, strips_, report_);
     SlicePainter painter(frame, reflected_, report_);
     end(phases.setUp);
     for (int x = 0; x < picture.width; x += kStripColumns) {
+        frame.lit.beginStrip();
         const int columns = std::min(kStripColumns, picture.width - x);
         walk.find(x, columns);
         end(phases.walk);
@@ -58,6 +52,7 @@ Phases PhasedFrame::draw(const Picture& picture) {
         end(phases.copy);
     }
 
+    std::swap(memory_.lit, session_.renderer().lit());
     const double ours = (processorSeconds() - processorBegin) / (last - begin);
     return phases / std::max(1.0, 1.0 / ours);
 }

@@ -11,8 +11,8 @@
 #include "render/frame.h"
 #include "render/strip.h"
 #include "render/strip_walk.h"
+#include "session/session.h"
 #include "slicecast/picture.h"
-#include "world/world.h"
 
 #include <vector>
 
@@ -26,22 +26,20 @@ struct Phases {
     double copy = 0.0;  // of the strips into the picture
 
     double sum() const { return setUp + walk + paint + copy; }
-    double replay() const { return paint + copy; }
-    Phases& operator+=(const Phases& other);
     Phases operator/(double by) const { return {setUp / by, walk / by, paint / by, copy / by}; }
 };
 
 class PhasedFrame {
 public:
-    PhasedFrame(World world, const Eye& eye, const RenderOptions& options);
+    // The session must outlive this.
+    explicit PhasedFrame(Session& session) : session_(session) {}
 
-    // Draws the whole picture. Time in which other programs ran does not count.
+    // Draws the picture as the session does after its last step, without overlays. Time in which
+    // other programs ran does not count.
     Phases draw(const Picture& picture);
 
 private:
-    const World world_;
-    const Eye eye_;
-    const RenderOptions options_;
+    Session& session_;
     double secondsOfReading_ = 1.0;  // the clock; the least that was seen
     FrameMemory memory_;
     StripScratch strips_;

@@ -1,4 +1,6 @@
-// The views that are measured: of scenes of the frozen set, and one made of very many objects.
+// The views that are measured: of the shipped scenes, as they are played, and a few of what no
+// shipped scene shows by itself. `root` is the folder of the sources. Whatever cannot be opened is
+// nothing; the reason is printed.
 #pragma once
 
 #include "session/session.h"
@@ -6,22 +8,18 @@
 #include <memory>
 #include <optional>
 #include <string>
-#include <vector>
 
 namespace slicecast {
 
-struct View {
-    std::string title;  // "castle, start"
-    std::shared_ptr<Session> session;
-    double fraction = 1.0;          // of the way between the session's last two steps
-    std::string comparedWith = {};  // the title of another view of the same picture, or near it
-    double mostTimes = 0.0;         // that it may take as long as that one
-};
+// A shipped scene, and the recorded tour through it.
+std::unique_ptr<Session> openScene(const std::string& root, const std::string& name);
+std::optional<Replay> openTour(const std::string& root, const std::string& scene);
 
-// Opens the views of those titles, or all where there are none. A view with many objects and the
-// one that it is compared with come together. Prints what is wrong with a scene, or which title no
-// view has, and gives nothing then.
-std::optional<std::vector<View>> openViews(const std::string& assets,
-                                           const std::vector<std::string>& titles);
+// The name of a view is one of
+//
+//     castle           the start of a shipped scene, after a second in which nobody plays
+//     castle@4320      the moment of its tour after so many steps
+//     flat hall        or another one that is made for this: the table in views.cpp
+std::unique_ptr<Session> openView(const std::string& root, const std::string& name);
 
 }  // namespace slicecast
