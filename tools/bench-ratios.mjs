@@ -2,8 +2,7 @@
 // limit, for each run of tools/bench --record. The newest record is the last.
 //
 //     {"records": [{"date": "2026-11-23", "commit": "its subject", "processor": "AMD EPYC",
-//       "rounds": 150, "views": {"castle, start": {"native": 4.37, "native 4K": 1.82,
-//                                                  "wasm": 5.65, "wasm 4K": 2.2}}}]}
+//       "rounds": 25, "views": {"castle, start": {"native": 4.37, "wasm": 5.65}}}]}
 
 export const kMostLoss = 0.1; // a view may be slower than its record by this share
 
@@ -19,7 +18,7 @@ export function readRatios(text, file) {
   const isObject = (value) => value !== null && typeof value === 'object' && !Array.isArray(value);
 
   const { records } = parse(text, file) ?? {};
-  expect(Array.isArray(records) && records.length > 0, 'records', records, 'a list of records');
+  expect(Array.isArray(records), 'records', records, 'a list of records');
   records.forEach((record, index) => {
     const at = `records[${index}]`;
     expect(isObject(record), at, record, 'an object');
@@ -97,17 +96,11 @@ export function ratiosText(records) {
 export const recordFor = (records, processor) =>
   records.findLast((record) => record.processor === processor) ?? records.at(-1);
 
-// The measurement in the form of a record: {title: {native, 'native 4K' ...}}. A run is the output
-// of slicecast-bench, with the build's `name`.
+// The measurement in the form of a record: {title: {native, wasm}}. A run is that of bench.mjs.
 export function figuresOf(runs) {
   const all = {};
-  const rounded = (number) => Number(number.toFixed(2));
   for (const { name, views } of runs) {
-    for (const { title, ratio, large } of views)
-      Object.assign((all[title] ??= {}), {
-        [name]: rounded(ratio),
-        [`${name} 4K`]: rounded(large.ratio),
-      });
+    for (const { title, ratio } of views) (all[title] ??= {})[name] = Number(ratio.toFixed(2));
   }
   return all;
 }
@@ -128,18 +121,16 @@ export function compare(record, now) {
   return { losses, unknown };
 }
 
-// Compares a measurement with a record. If a view seems slower, its builds are measured again
-// before it counts: `measure(names, isAgain)` takes the builds' names, or null for all. Always
-// measures all views, because a view measured alone would have the caches for itself.
+// Compares a measurement with a record. Views that seem slower are measured again before they
+// count: `measure(titles)`, null for all.
 export function check(record, measure) {
-  const now = measure(null, false);
-  const views = Object.keys(now).length;
+  const now = measure(null);
   const first = compare(record, now);
+  const views = Object.keys(now).length;
   if (first.losses.length === 0) return { ...first, views };
+  const again = compare(record, measure([...new Set(first.losses.map(({ title }) => title))]));
   const wasLost = ({ title, figure }) =>
     first.losses.some((loss) => loss.title === title && loss.figure === figure);
-  const builds = [...new Set(first.losses.map(({ figure }) => figure.split(' ')[0]))];
-  const again = compare(record, measure(builds, true));
   return { ...first, losses: again.losses.filter(wasLost), views };
 }
 

@@ -1,49 +1,58 @@
-// The tables of tools/bench, 120 characters wide: a row per view, a group of columns per build.
+// The tables of tools/bench, at most 120 characters wide: a row per view, a group of columns per
+// build.
 //
 //     table(runs)            the time of each view
 //     phasesTable(runs)      the time of each phase of a frame
+//     againstTable(pairs)    the times of two builds of the same kind
+//     slowestTable(moments)  the slowest moments of the tours
 //
-// A run is the output of slicecast-bench, with the build's `title`, and `missed`, the titles of the
-// views that miss their target.
+// A run is the output of slicecast-bench with its build's `title`, and of each view the `title`, its
+// `ratio` to the limit, and what is asked of that, `most`.
 
 const kNameWidth = 32;
 
-const ratio = (number) => number?.toFixed(2) ?? '';
-const share = (number) => (number === undefined ? '' : `${Math.round(number * 100)} %`);
+const share = (number) => `${Math.round(number * 100)} %`;
+const sumOf = ({ setUp, walk, paint, copy }) => setUp + walk + paint + copy;
 
 // [heading, width, what it shows of a row of figures]; both end at the right
 const kColumns = [
   ['ns/px', 8, (of) => of.nsPerPixel.toFixed(of.nsPerPixel < 1 ? 3 : 2)],
-  ['spread', 8, (of) => `±${share(of.spread / 2).padStart(4)}`],
-  ['limit ', 8, (of) => ratio(of.limits) + (of.isMissed ? '!' : ' ')],
-  ['walk', 6, (of) => share(of.walkShare)],
-  ['replay', 7, (of) => ratio(of.replay)],
-  ['4K', 6, (of) => ratio(of.large?.ratio)],
+  ['spread', 8, (of) => share(of.spread)],
+  ['limit ', 8, (of) => (of.ratio ? of.ratio.toFixed(2) + (of.ratio > of.most ? '!' : ' ') : '')],
+  ['asked', 7, (of) => (of.most < Infinity ? of.most.toFixed(2) : '')],
+  ['walk', 6, (of) => (of.phases ? share(of.phases.walk / sumOf(of.phases)) : '')],
+  ['replay', 7, (of) => of.replay?.toFixed(2) ?? ''],
 ];
 
-const sumOf = ({ setUp, walk, paint, copy }) => setUp + walk + paint + copy;
 const kPhaseColumns = [
   ['draw', 8, (of) => of.nsPerPixel.toFixed(3)],
-  ['set-up', 7, (of) => of.phases.setUp.toFixed(3)],
-  ['walk', 7, (of) => of.phases.walk.toFixed(3)],
-  ['paint', 7, (of) => of.phases.paint.toFixed(3)],
-  ['copy', 7, (of) => of.phases.copy.toFixed(3)],
+  ...['setUp', 'walk', 'paint', 'copy'].map((phase) => [
+    phase,
+    7,
+    (of) => of.phases[phase].toFixed(3),
+  ]),
   ['sum', 7, (of) => share(sumOf(of.phases) / of.nsPerPixel)],
 ];
 
-// `rows`: [name, the figures of each run]
-function lines(columns, runs, rows) {
+const kAgainstColumns = [
+  ['that', 8, ({ that }) => that.toFixed(2)],
+  ['this', 8, (of) => of.here.toFixed(2)],
+  ['change', 8, ({ that, here }) => `${(100 * (here / that - 1)).toFixed(1)} %`],
+];
+
+// `rows`: [name, the figures of each group]
+function lines(columns, titles, rows) {
   const line = (name, groups) => (name.padEnd(kNameWidth) + groups.join('')).trimEnd();
   const width = columns.reduce((sum, [, wide]) => sum + wide, 0);
   const head = columns.map(([heading, wide]) => heading.padStart(wide)).join('');
   return [
     line(
       '',
-      runs.map(({ title }) => `  ${title}`.padEnd(width)),
+      titles.map((title) => `  ${title}`.padEnd(width)),
     ),
     line(
       '',
-      runs.map(() => head),
+      titles.map(() => head),
     ),
     ...rows.map(([name, figures]) =>
       line(
@@ -54,36 +63,56 @@ function lines(columns, runs, rows) {
   ];
 }
 
+const titlesOf = (runs) => runs.map(({ title }) => title);
 const viewRows = (runs) =>
-  runs[0].views.map(({ title }, index) => [
-    title,
-    runs.map((run) => ({
-      ...run.views[index],
-      limits: run.views[index].ratio,
-      isMissed: run.missed.includes(title),
-    })),
-  ]);
+  runs[0].views.map(({ title }, index) => [title, runs.map(({ views }) => views[index])]);
 
 export function table(runs) {
-  const [{ width, height, rounds, limit }] = runs;
-  const large = `${limit.large.width}x${limit.large.height}`;
+  const [{ width, height, rounds }] = runs;
   return [
-    ...lines(kColumns, runs, [
+    ...lines(kColumns, titlesOf(runs), [
       ['copy of a frame', runs.map(({ copy }) => copy)],
-      ['the limit', runs.map((run) => ({ ...run.limit, large: undefined }))],
-      [`the limit at ${large}`, runs.map((run) => run.limit.large)],
+      ['the limit', runs.map(({ limit }) => limit)],
       ...viewRows(runs),
     ]),
     '',
-    `ns/px   nanoseconds a pixel of ${width}x${height}, medians of ${rounds} rounds`,
-    'spread  half the range of the middle half of the rounds',
-    'limit   times the limit, which is a frame as full without a world; ! above the target',
+    `ns/px   nanoseconds a pixel of ${width}x${height}, the least of ${rounds} rounds`,
+    'spread  how much longer the middle round took: other programs disturbed',
+    'limit   times the limit, which is a frame as full without a world; ! above what is asked',
     "walk    the walk's share of the time",
     'replay  the same spans painted without a walk, times the limit: a bound for any faster walk',
-    `4K      the view at ${large}, times the limit at that size`,
   ].join('\n');
 }
 
-export function phasesTable(runs) {
-  return [...lines(kPhaseColumns, runs, viewRows(runs)), '', 'Nanoseconds a pixel.'].join('\n');
+export const phasesTable = (runs) =>
+  [...lines(kPhaseColumns, titlesOf(runs), viewRows(runs)), '', 'Nanoseconds a pixel.'].join('\n');
+
+// `pairs`: [a run of the other build, one of this], for each kind of build
+export const againstTable = (pairs) =>
+  [
+    ...lines(
+      kAgainstColumns,
+      pairs.map(([{ title }]) => title),
+      pairs[0][0].views.map(({ title }, index) => [
+        title,
+        pairs.map((pair) => {
+          const [that, here] = pair.map(({ views }) => views[index].nsPerPixel);
+          return { that, here };
+        }),
+      ]),
+    ),
+    '',
+    'Nanoseconds a pixel, the least of all rounds.',
+  ].join('\n');
+
+export function slowestTable(moments) {
+  const head = `${'scene'.padEnd(15)}${'step'.padStart(6)}  ns/px  where`;
+  return [
+    head,
+    ...moments.map(
+      ({ scene, step, map, x, y, z, heading, nsPerPixel }) =>
+        `${scene.padEnd(15)}${String(step).padStart(6)}${nsPerPixel.toFixed(2).padStart(7)}  ` +
+        `${map} ${x}, ${y}, ${z}, heading ${heading}`,
+    ),
+  ].join('\n');
 }

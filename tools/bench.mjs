@@ -4,31 +4,33 @@
 import { spawnSync } from 'node:child_process';
 import { readFileSync, writeFileSync } from 'node:fs';
 import { cpus } from 'node:os';
-import { dirname, join } from 'node:path';
-import { fileURLToPath } from 'node:url';
+import { join } from 'node:path';
 import { parseArgs } from 'node:util';
 
 import { check, figuresOf, ratiosText, readRatios, recordFor, reportOf } from './bench-ratios.mjs';
-import { phasesTable, table } from './bench-table.mjs';
+import { againstTable, phasesTable, slowestTable, table } from './bench-table.mjs';
+import {
+  kBeside,
+  kMoments,
+  moments,
+  mostOf,
+  root,
+  scenes,
+  views,
+  viewsLike,
+} from './bench-views.mjs';
 
-const root = dirname(dirname(fileURLToPath(import.meta.url)));
 const kRatios = 'tests/bench/ratios.json';
-const kMostTimesTheLimit = { native: 3, wasm: 3 }; // target of a view
-const kTargets = {
-  'yardstick, flat hall': { native: 1.35, wasm: 1.6 },
-  'yardstick, hall of heights': { native: 1.4, wasm: 1.8 },
-};
-const kMostMillisecondsWithMany = 16; // target of a view with many objects
-// Target of the limit itself, natively: a slow limit would flatter the views.
+const kRounds = 25;
+const kSlowestEvery = 30; // steps: a quarter of a second
+// Asked of the limit itself, natively: a slow limit would flatter the views.
 const kMostTimesACopy = 10;
 const kTimesMoreRounds = 3; // when measuring a suspected loss again
+const kTurns = 5; // of each of two builds
 
-// `name` is the build's name in the file of ratios. The scalar WebAssembly is for old browsers and
-// has no target.
 const builds = {
   release: { name: 'native', title: 'native, x86-64-v2' },
   'wasm-simd': { name: 'wasm', title: 'Node, WebAssembly with SIMD' },
-  'wasm-scalar': { name: 'scalar', title: 'Node, WebAssembly without SIMD' },
 };
 
 const { values: options, positionals: presets } = parseArgs({
@@ -37,101 +39,98 @@ const { values: options, positionals: presets } = parseArgs({
     phases: { type: 'boolean', default: false },
     record: { type: 'boolean', default: false },
     check: { type: 'boolean', default: false },
+    overlays: { type: 'boolean', default: false },
+    light: { type: 'boolean', default: false },
+    slowest: { type: 'boolean', default: false },
+    against: { type: 'string' },
     rounds: { type: 'string' },
     view: { type: 'string', multiple: true, default: [] },
   },
   allowPositionals: true,
 });
 const processor = cpus()[0]?.model.trim() ?? 'unknown';
+const rounds = Number(options.rounds ?? kRounds);
 
 function fail(message) {
   console.error(`bench: ${message}`);
   process.exit(1);
 }
 
-// Measures the views with these titles, or all if there are none.
-function measure(preset, rounds, titles = []) {
-  const program = join(root, 'build', preset, 'bin', 'slicecast-bench');
+// Runs slicecast-bench of a build in that folder. Its output is returned, or shown at once.
+function run(preset, words, { folder = root, shows = false } = {}) {
+  const program = join(folder, 'build', preset, 'bin', 'slicecast-bench');
   const [command, ...start] =
     preset === 'release' ? [program] : [process.execPath, `${program}.js`];
-  const words = [join(root, 'tests/frozen'), String(rounds)];
-  if (titles.length > 0) words.push('views', ...titles);
   if (process.stderr.isTTY) process.stderr.write(`Measuring: ${builds[preset].title} ...`);
-  const result = spawnSync(command, [...start, ...words], {
+  const result = spawnSync(command, [...start, root, ...words.map(String)], {
     encoding: 'utf8',
-    stdio: ['ignore', 'pipe', 'inherit'],
+    stdio: ['ignore', shows ? 'inherit' : 'pipe', 'inherit'],
   });
   if (process.stderr.isTTY) process.stderr.write('\r\x1b[K');
   if (result.status !== 0)
     fail(`the measurement of ${preset} failed${result.error ? `: ${result.error.message}` : ''}`);
-  const run = { preset, ...builds[preset], ...JSON.parse(result.stdout) };
-  const targetOf = (title) => (kTargets[title] ?? kMostTimesTheLimit)[run.name] ?? Infinity;
-  run.missed = run.views
-    .filter(({ title, ratio }) => ratio > targetOf(title))
-    .map(({ title }) => title);
-  return run;
+  return result.stdout;
 }
 
-// The missed targets, which make the exit status 1.
-function shortcomings(run) {
+function measure(preset, wanted, { times = rounds, folder = root } = {}) {
+  const names = wanted.map(({ name }) => name);
+  const measured = JSON.parse(run(preset, [times, ...names], { folder }));
+  const { limit } = measured;
+  const { name: build } = builds[preset];
+  limit.ratio = limit.nsPerPixel / measured.copy.nsPerPixel;
+  limit.most = build === 'native' ? kMostTimesACopy : Infinity;
+  for (const [index, view] of measured.views.entries()) {
+    const { title } = wanted[index];
+    Object.assign(view, {
+      title,
+      ratio: view.nsPerPixel / limit.nsPerPixel,
+      replay: (view.phases.paint + view.phases.copy) / limit.nsPerPixel,
+      most: mostOf(title, build),
+    });
+  }
+  return { preset, ...builds[preset], ...measured };
+}
+
+// What is missed of what is asked: the exit status is 1 then.
+function shortcomings({ name, limit, views: all }) {
   const found = [];
-  if (run.name === 'scalar') return found;
-  if (run.missed.length > 0) {
-    const own = Object.entries(kTargets).map(([title, target]) => `${title} ${target[run.name]}`);
-    found.push(
-      `${run.name}: ${run.missed.length} of ${run.views.length} views are above ` +
-        `their target of ${kMostTimesTheLimit[run.name]} (${own.join('; ')})`,
-    );
-  }
-  if (run.name === 'native' && run.limit.ratio > kMostTimesACopy) {
-    found.push(
-      `${run.name}: the limit takes ${run.limit.ratio.toFixed(1)} times a copy of the frame, ` +
-        `the target is at most ${kMostTimesACopy}`,
-    );
-  }
-  for (const view of run.views) {
-    if (view.comparedWith === undefined) continue;
-    if (view.timesThat > view.mostTimes) {
-      found.push(
-        `${run.name}: ${view.title} takes ${view.timesThat.toFixed(2)} times as long as ` +
-          `${view.comparedWith}, the target is at most ${view.mostTimes}`,
-      );
-    }
-    const milliseconds = (view.nsPerPixel * run.width * run.height) / 1e6;
-    if (milliseconds > kMostMillisecondsWithMany) {
-      found.push(
-        `${run.name}: ${view.title} takes ${milliseconds.toFixed(1)} ms, ` +
-          `the target is at most ${kMostMillisecondsWithMany}`,
-      );
-    }
+  const missed = all.filter(({ ratio, most }) => ratio > most);
+  if (missed.length > 0)
+    found.push(`${name}: ${missed.length} of ${all.length} views are too slow`);
+  if (limit.ratio > limit.most)
+    found.push(`${name}: the limit takes more than ${kMostTimesACopy} times a copy of the frame`);
+  for (const [title, most, beside] of kBeside) {
+    const [view, other] = [title, beside].map((wanted) => all.find((one) => one.title === wanted));
+    const times = view && other ? view.nsPerPixel / other.nsPerPixel : 0;
+    if (times > most)
+      found.push(`${name}: ${title}: ${times.toFixed(2)} times ${beside}, asked is ${most}`);
   }
   return found;
 }
 
 function pastRatios() {
-  let text;
   try {
-    text = readFileSync(join(root, kRatios), 'utf8');
-  } catch {
-    return null;
-  }
-  try {
-    return readRatios(text, kRatios);
+    return readRatios(readFileSync(join(root, kRatios), 'utf8'), kRatios);
   } catch ({ message }) {
     return fail(message);
   }
 }
 
 // Returns true if no view has become slower.
-function checkRatios(rounds) {
-  const records = pastRatios();
-  if (records === null) fail(`there is no ${kRatios}; tools/bench --record writes it.`);
-  const record = recordFor(records, processor);
-  const result = check(record, (names, isAgain) =>
+function checkRatios(wanted) {
+  const record = recordFor(pastRatios(), processor);
+  if (record === undefined) fail(`${kRatios} is empty; tools/bench --record adds a record.`);
+  const result = check(record, (suspects) =>
     figuresOf(
-      presets
-        .filter((preset) => names === null || names.includes(builds[preset].name))
-        .map((preset) => measure(preset, isAgain ? rounds * kTimesMoreRounds : rounds)),
+      presets.map((preset) =>
+        suspects === null
+          ? measure(preset, wanted)
+          : measure(
+              preset,
+              wanted.filter(({ title }) => suspects.includes(title)),
+              { times: rounds * kTimesMoreRounds },
+            ),
+      ),
     ),
   );
   console.log(reportOf(result, record, processor));
@@ -142,25 +141,73 @@ function record(runs) {
   const commit = spawnSync('git', ['-C', root, 'log', '-1', '--format=%s'], { encoding: 'utf8' });
   const date = new Date();
   const two = (number) => String(number).padStart(2, '0');
-  const records = pastRatios() ?? [];
+  const records = pastRatios();
   records.push({
     date: `${date.getFullYear()}-${two(date.getMonth() + 1)}-${two(date.getDate())}`,
     commit: commit.stdout?.trim() ?? '',
     processor,
-    rounds: runs[0].rounds,
+    rounds,
     views: figuresOf(runs),
   });
   writeFileSync(join(root, kRatios), ratiosText(records));
   console.log(`\nRecorded in ${kRatios}.`);
 }
 
-if (options.check) {
-  process.exitCode = checkRatios(Number(options.rounds ?? 50)) ? 0 : 1;
+// The builds of another folder and these take turns; the least of all turns counts.
+function compareWith(folder, wanted) {
+  const least = (all) => ({
+    ...all[0],
+    views: all[0].views.map((view, index) => ({
+      ...view,
+      nsPerPixel: Math.min(...all.map(({ views: some }) => some[index].nsPerPixel)),
+    })),
+  });
+  const pairs = presets.map((preset) => {
+    const runs = [[], []];
+    for (let turn = 0; turn < kTurns; ++turn) {
+      for (const [which, from] of [folder, root].entries())
+        runs[which].push(
+          measure(preset, wanted, { times: Math.ceil(rounds / kTurns), folder: from }),
+        );
+    }
+    return runs.map(least);
+  });
+  console.log(againstTable(pairs));
+}
+
+function findSlowest(names) {
+  const found = JSON.parse(run('release', [options.rounds ?? kSlowestEvery, 'slowest', ...names]));
+  console.log(slowestTable(found));
+  const steps = Object.fromEntries(found.map(({ scene, step }) => [scene, step]));
+  writeFileSync(join(root, kMoments), `${JSON.stringify({ ...moments, ...steps }, null, 2)}\n`);
+  console.log(`\nThe steps are in ${kMoments}: tools/bench draws these moments.`);
+}
+
+const wanted = viewsLike(options.view);
+if (wanted.length === 0)
+  fail(`no view is named so; there are:\n  ${views.map(({ title }) => title).join('\n  ')}`);
+const shown = new Set(wanted.map(({ scene }) => scene));
+const shownScenes = scenes.filter(({ scene }) => shown.has(scene));
+
+if (options.overlays || options.light) {
+  for (const preset of presets) {
+    console.log(builds[preset].title);
+    if (options.overlays) run(preset, [options.rounds ?? 150, 'overlays'], { shows: true });
+    else
+      run(preset, [options.rounds ?? 15, 'light', ...shownScenes.map(({ scene }) => scene)], {
+        shows: true,
+      });
+  }
+} else if (options.slowest) {
+  findSlowest(shownScenes.filter(({ tour }) => tour).map(({ scene }) => scene));
+} else if (options.against !== undefined) {
+  compareWith(options.against, wanted);
+} else if (options.check) {
+  process.exitCode = checkRatios(wanted) ? 0 : 1;
 } else {
   // Reports an unreadable file before measuring.
   if (options.record) pastRatios();
-  const rounds = Number(options.rounds ?? 150);
-  const runs = presets.map((preset) => measure(preset, rounds, options.view));
+  const runs = presets.map((preset) => measure(preset, wanted));
   const found = runs.flatMap(shortcomings);
   if (options.json) {
     console.log(JSON.stringify({ processor, runs, shortcomings: found }, null, 2));
