@@ -1,10 +1,12 @@
 // Runs the measurements of the given builds one after another and prints the results: node
 // tools/bench.mjs OPTION... PRESET... See tools/bench, which builds them and lists the options.
 
-import { spawnSync } from 'node:child_process';
+import { spawn, spawnSync } from 'node:child_process';
+import { once } from 'node:events';
 import { readFileSync, writeFileSync } from 'node:fs';
 import { cpus } from 'node:os';
 import { join } from 'node:path';
+import { text } from 'node:stream/consumers';
 import { parseArgs } from 'node:util';
 
 import { check, figuresOf, ratiosText, readRatios, recordFor, reportOf } from './bench-ratios.mjs';
@@ -21,12 +23,12 @@ import {
 } from './bench-views.mjs';
 
 const kRatios = 'tests/bench/ratios.json';
-const kRounds = 25;
+const kRounds = 15;
 const kSlowestEvery = 30; // steps: a quarter of a second
 // Asked of the limit itself, natively: a slow limit would flatter the views.
 const kMostTimesACopy = 10;
 const kTimesMoreRounds = 3; // when measuring a suspected loss again
-const kTurns = 5; // of each of two builds
+const kTurnMilliseconds = 60; // of each of two builds
 
 const builds = {
   release: { name: 'native', title: 'native, x86-64-v2' },
@@ -56,15 +58,18 @@ function fail(message) {
   process.exit(1);
 }
 
-// Runs slicecast-bench of a build in that folder. Its output is returned, or shown at once.
-function run(preset, words, { folder = root, shows = false } = {}) {
+function programOf(preset, folder = root) {
   const program = join(folder, 'build', preset, 'bin', 'slicecast-bench');
-  const [command, ...start] =
-    preset === 'release' ? [program] : [process.execPath, `${program}.js`];
+  return preset === 'release' ? [program] : [process.execPath, `${program}.js`];
+}
+
+// Runs slicecast-bench. Its output is returned, or shown at once.
+function run(preset, words, output = 'pipe') {
+  const [command, ...start] = programOf(preset);
   if (process.stderr.isTTY) process.stderr.write(`Measuring: ${builds[preset].title} ...`);
   const result = spawnSync(command, [...start, root, ...words.map(String)], {
     encoding: 'utf8',
-    stdio: ['ignore', shows ? 'inherit' : 'pipe', 'inherit'],
+    stdio: ['ignore', output, 'inherit'],
   });
   if (process.stderr.isTTY) process.stderr.write('\r\x1b[K');
   if (result.status !== 0)
@@ -72,9 +77,13 @@ function run(preset, words, { folder = root, shows = false } = {}) {
   return result.stdout;
 }
 
-function measure(preset, wanted, { times = rounds, folder = root } = {}) {
-  const names = wanted.map(({ name }) => name);
-  const measured = JSON.parse(run(preset, [times, ...names], { folder }));
+const namesOf = (wanted) => wanted.map(({ name }) => name);
+const measure = (preset, wanted, times = rounds) =>
+  runOf(preset, wanted, run(preset, [times, ...namesOf(wanted)]));
+
+// A measurement of these views, from slicecast-bench's output.
+function runOf(preset, wanted, output) {
+  const measured = JSON.parse(output);
   const { limit } = measured;
   const { name: build } = builds[preset];
   limit.ratio = limit.nsPerPixel / measured.copy.nsPerPixel;
@@ -128,7 +137,7 @@ function checkRatios(wanted) {
           : measure(
               preset,
               wanted.filter(({ title }) => suspects.includes(title)),
-              { times: rounds * kTimesMoreRounds },
+              rounds * kTimesMoreRounds,
             ),
       ),
     ),
@@ -153,25 +162,35 @@ function record(runs) {
   console.log(`\nRecorded in ${kRatios}.`);
 }
 
-// The builds of another folder and these take turns; the least of all turns counts.
-function compareWith(folder, wanted) {
-  const least = (all) => ({
-    ...all[0],
-    views: all[0].views.map((view, index) => ({
-      ...view,
-      nsPerPixel: Math.min(...all.map(({ views: some }) => some[index].nsPerPixel)),
-    })),
+// Both builds run at once, but one of them is always stopped: so whatever else the machine does
+// falls on both alike.
+async function runInTurns(programs, words) {
+  const children = programs.map(([command, ...start]) =>
+    spawn(command, [...start, ...words], { stdio: ['ignore', 'pipe', 'inherit'] }),
+  );
+  let turn = 0;
+  const timer = setInterval(() => {
+    children[turn].kill('SIGSTOP');
+    turn = 1 - turn;
+    children[turn].kill('SIGCONT');
+  }, kTurnMilliseconds);
+  const outputs = children.map(async (child) => {
+    const [output] = await Promise.all([text(child.stdout), once(child, 'exit')]);
+    clearInterval(timer);
+    for (const other of children) other.kill('SIGCONT');
+    if (child.exitCode !== 0) fail('the measurement failed');
+    return output;
   });
-  const pairs = presets.map((preset) => {
-    const runs = [[], []];
-    for (let turn = 0; turn < kTurns; ++turn) {
-      for (const [which, from] of [folder, root].entries())
-        runs[which].push(
-          measure(preset, wanted, { times: Math.ceil(rounds / kTurns), folder: from }),
-        );
-    }
-    return runs.map(least);
-  });
+  return Promise.all(outputs);
+}
+
+async function compareWith(folder, wanted) {
+  const pairs = [];
+  for (const preset of presets) {
+    const programs = [folder, root].map((from) => programOf(preset, from));
+    const outputs = await runInTurns(programs, [root, String(rounds), ...namesOf(wanted)]);
+    pairs.push(outputs.map((output) => runOf(preset, wanted, output)));
+  }
   console.log(againstTable(pairs));
 }
 
@@ -192,16 +211,18 @@ const shownScenes = scenes.filter(({ scene }) => shown.has(scene));
 if (options.overlays || options.light) {
   for (const preset of presets) {
     console.log(builds[preset].title);
-    if (options.overlays) run(preset, [options.rounds ?? 150, 'overlays'], { shows: true });
+    if (options.overlays) run(preset, [options.rounds ?? 150, 'overlays'], 'inherit');
     else
-      run(preset, [options.rounds ?? 15, 'light', ...shownScenes.map(({ scene }) => scene)], {
-        shows: true,
-      });
+      run(
+        preset,
+        [options.rounds ?? 15, 'light', ...shownScenes.map(({ scene }) => scene)],
+        'inherit',
+      );
   }
 } else if (options.slowest) {
   findSlowest(shownScenes.filter(({ tour }) => tour).map(({ scene }) => scene));
 } else if (options.against !== undefined) {
-  compareWith(options.against, wanted);
+  await compareWith(options.against, wanted);
 } else if (options.check) {
   process.exitCode = checkRatios(wanted) ? 0 : 1;
 } else {
