@@ -1,4 +1,5 @@
-// The views of tools/bench, and what is asked of each: a list of {name, title, scene}. A `name` is
+// The views of tools/bench, and what is asked of each: a list of {name, title, scene,
+// isTour}. A `name` is
 // slicecast-bench's (tests/bench/views.h). Shipped scenes are listed by assets/scenes/index.json;
 // tests/bench/moments.json has the step at which the tour through a scene is slowest to draw, as
 // tools/bench --slowest has found it.
@@ -34,6 +35,7 @@ export const views = [
     .filter(({ scene }) => scene in moments)
     .map(({ scene }) => ({
       scene,
+      isTour: true,
       name: `${scene}@${moments[scene]}`,
       title: `${scene}, tour ${(moments[scene] / kStepsPerSecond).toFixed(1)} s`,
     })),
@@ -65,11 +67,8 @@ const kLimits = { native: 0.686, wasm: 0.724 };
 
 // What is asked of a view in a build, times the limit; Infinity for nothing.
 export function mostOf(title, build) {
-  const usual = title.endsWith(', start')
-    ? kMostOfStart
-    : / tour [\d.]+ s$/.test(title)
-      ? kMostOfTour
-      : Infinity;
+  const { scene, isTour } = views.find((view) => view.title === title);
+  const usual = isTour ? kMostOfTour : scene ? kMostOfStart : Infinity;
   return ((kMost[title] ?? usual) * (build === 'native' ? kNativeShare : 1)) / kLimits[build];
 }
 

@@ -42,6 +42,7 @@ const { values: options, positionals: presets } = parseArgs({
     record: { type: 'boolean', default: false },
     check: { type: 'boolean', default: false },
     overlays: { type: 'boolean', default: false },
+    page: { type: 'boolean', default: false },
     light: { type: 'boolean', default: false },
     slowest: { type: 'boolean', default: false },
     against: { type: 'string' },
@@ -219,6 +220,9 @@ if (options.overlays || options.light) {
         'inherit',
       );
   }
+} else if (options.page) {
+  const { measurePage } = await import('./bench-page.mjs');
+  await measurePage(wanted);
 } else if (options.slowest) {
   findSlowest(shownScenes.filter(({ tour }) => tour).map(({ scene }) => scene));
 } else if (options.against !== undefined) {
