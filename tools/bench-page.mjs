@@ -23,12 +23,12 @@ const count = (page) =>
     ([settle, counted]) =>
       new Promise((resolve) => {
         const sizes = [];
-        const note = () => sizes.push(window.slicecast.picture);
+        const note = () => sizes.push(globalThis.slicecast.picture);
         const mean = (side) => sizes.reduce((sum, size) => sum + size[side], 0) / sizes.length;
         setTimeout(() => {
-          window.slicecast.addEventListener('framechange', note);
+          globalThis.slicecast.addEventListener('framechange', note);
           setTimeout(() => {
-            window.slicecast.removeEventListener('framechange', note);
+            globalThis.slicecast.removeEventListener('framechange', note);
             const pictures = (sizes.length * 1000) / counted;
             resolve({ pictures, width: mean('width'), height: mean('height') });
           }, counted);
@@ -49,8 +49,9 @@ async function measureView(page, address, { scene, isTour }) {
   await inState(page, 'paused');
   if (isTour) {
     const before = Math.round((kSettle + kCounted / 2) * kStepsPerMillisecond);
-    await page.evaluate((step) => window.slicecast.seek(step), moments[scene] - before);
-    await page.waitForFunction(() => !window.slicecast.replay.isSeeking);
+    const from = Math.max(0, moments[scene] - before);
+    await page.evaluate((step) => globalThis.slicecast.seek(step), from);
+    await page.waitForFunction(() => !globalThis.slicecast.replay.isSeeking);
   }
   await play(page);
   let isOver = false;

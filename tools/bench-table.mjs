@@ -6,8 +6,8 @@
 //     againstTable(pairs)    the times of two builds of the same kind
 //     slowestTable(moments)  the slowest moments of the tours
 //
-// A run is the output of slicecast-bench with its build's `title`, and of each view the `title`, its
-// `ratio` to the limit, and what is asked of that, `most`.
+// A run is the output of slicecast-bench with its build's `title`, and of each view the `title`,
+// its `ratio` to the limit, and what is asked of that, `most`.
 
 const kNameWidth = 32;
 

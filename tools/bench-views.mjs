@@ -32,7 +32,7 @@ const kMade = [
 export const views = [
   ...scenes.map(({ scene }) => ({ scene, name: scene, title: `${scene}, start` })),
   ...scenes
-    .filter(({ scene }) => scene in moments)
+    .filter(({ scene }) => Object.hasOwn(moments, scene))
     .map(({ scene }) => ({
       scene,
       isTour: true,

@@ -156,6 +156,17 @@ test('the benchmark shows its figures, and restores the view', async (t) => {
   assert.ok(Number(nanoseconds) > 0.05 && Number(nanoseconds) < 1000, nanoseconds);
   const limits = rows.map((row) => /Times the limit([\d.]+)/.exec(row)?.[1]).find(Boolean);
   assert.ok(Number(limits) > 0.5 && Number(limits) < 200, limits);
+  const inPlay = rows
+    .map((row) => /In play(\d+) a second, (\d+) × (\d+) \((\d+) %\)/.exec(row))
+    .find(Boolean);
+  const [pictures, width, height, share] = inPlay.slice(1).map(Number);
+  assert.ok(pictures > 0 && pictures < 300, inPlay[0]);
+  const { clientWidth, clientHeight } = await page.evaluate(() => ({
+    clientWidth: window.slicecast.clientWidth,
+    clientHeight: window.slicecast.clientHeight,
+  }));
+  assert.ok(Math.abs(width / clientWidth - share / 100) < 0.01, inPlay[0]);
+  assert.ok(Math.abs(height / clientHeight - share / 100) < 0.01, inPlay[0]);
   assert.deepEqual(await view(), before);
   assert.ok(await page.locator('[data-benchmark="copy"]').isEnabled());
 });

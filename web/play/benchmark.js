@@ -3,20 +3,24 @@
 // The limit is measured between the pictures, as in tools/bench.
 //
 //     const figures = await measure(caster, { views, width, height, onProgress, isWanted });
-//     figures: {times, median, slow, slowest, nanosecondsPerPixel, timesTheLimit, size, pictures},
-//     times in milliseconds; timesTheLimit is null if the limit cannot be measured
+//     figures: {times, median, slow, slowest, nanosecondsPerPixel, timesTheLimit, size, pictures,
+//     inPlay}, times in milliseconds; timesTheLimit is null if the limit cannot be measured
 //     drawGraph(canvas, figures.times);
 //     asText(figures, title)
 
 import { loadLimit } from './limit.js';
+import { sizeText } from './size-now.js';
 
 const kWarmUp = 12; // pictures drawn first and not counted
 const kLimitEvery = 8; // the limit is measured once every so many pictures
+const kPlayed = 3000; // milliseconds of play
+const kMayEnd = 200; // milliseconds, after which it may end
 const kBatch = 16; // milliseconds of drawing before the page may react
 
 // Returns null if `isWanted()` becomes false meanwhile.
 export async function measure(caster, { views, width, height, onProgress, isWanted }) {
   const before = caster.currentView;
+  let inPlay = null;
   const limit = await loadLimit(width, height);
   const times = [];
   const limitTimes = [];
@@ -36,6 +40,8 @@ export async function measure(caster, { views, width, height, onProgress, isWant
       if (!isWanted()) return null;
       breath = performance.now();
     }
+    inPlay = await playFlight(caster, views, isWanted);
+    if (!isWanted()) return null;
   } finally {
     if (caster.world !== null) caster.look(before);
   }
@@ -49,7 +55,28 @@ export async function measure(caster, { views, width, height, onProgress, isWant
     timesTheLimit: limit === null ? null : median / quantile(limitTimes, 0.5),
     size: `${width} × ${height}`,
     pictures: times.length,
+    inPlay,
   };
+}
+
+// What somebody sees who plays: the pictures a second and their size, when the page has found how
+// many pixels it can draw.
+async function playFlight(caster, views, isWanted) {
+  let pace = null;
+  let next = 0;
+  const note = ({ detail }) => (pace = detail);
+  const fly = () => caster.look(views[next++ % views.length]);
+  caster.addEventListener('pace', note);
+  caster.addEventListener('framechange', fly);
+  caster.play();
+  for (let played = 0; played < kPlayed && isWanted(); played += kMayEnd)
+    await new Promise((resolve) => setTimeout(resolve, kMayEnd));
+  caster.removeEventListener('framechange', fly);
+  caster.removeEventListener('pace', note);
+  caster.pause();
+  return pace === null
+    ? 'not measured'
+    : `${Math.round(pace.framesPerSecond)} a second, ${sizeText(caster, pace)}`;
 }
 
 function quantile(values, share) {
@@ -65,6 +92,7 @@ export function rowsOf({
   timesTheLimit,
   size,
   pictures,
+  inPlay,
 }) {
   const ms = (time) => `${time.toFixed(2)} ms`;
   return [
@@ -78,6 +106,7 @@ export function rowsOf({
       'Times the limit',
       timesTheLimit === null ? 'not measured: it needs WebAssembly SIMD' : timesTheLimit.toFixed(2),
     ],
+    ['In play', inPlay],
   ];
 }
 

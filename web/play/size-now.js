@@ -2,14 +2,15 @@
 //
 //     showSize(caster, output);
 //     fullSize(caster)              {width, height} at rest
+//     sizeText(caster, size)        "680 × 652 (50 %)"
 
 import { kLargestSide } from '../element/stage.js';
 
 export function showSize(caster, output) {
   let moving = null; // {width, height}
   const show = () => {
-    const now = textOf(caster, caster.picture);
-    const then = moving === null ? now : textOf(caster, moving);
+    const now = sizeText(caster, caster.picture);
+    const then = moving === null ? now : sizeText(caster, moving);
     output.textContent = now === then ? now : `${now}; in motion ${then}`;
   };
   caster.addEventListener('pace', ({ detail: { width, height } }) => {
@@ -35,7 +36,7 @@ export function fullSize({ size, picture, clientWidth, clientHeight }) {
 }
 
 // Adds the share of the screen's pixels across if the picture has the shape of its box.
-function textOf(caster, { width, height }) {
+export function sizeText(caster, { width, height }) {
   const box = caster.clientWidth * (window.devicePixelRatio || 1);
   const boxHeight = caster.clientHeight * (window.devicePixelRatio || 1);
   const fills = Math.abs(width / box - height / boxHeight) < 0.01;
