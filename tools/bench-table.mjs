@@ -12,7 +12,6 @@
 const kNameWidth = 32;
 
 const share = (number) => `${Math.round(number * 100)} %`;
-const sumOf = ({ setUp, walk, paint, copy }) => setUp + walk + paint + copy;
 
 // [heading, width, what it shows of a row of figures]; both end at the right
 const kColumns = [
@@ -20,7 +19,7 @@ const kColumns = [
   ['spread', 8, (of) => share(of.spread)],
   ['limit ', 8, (of) => (of.ratio ? of.ratio.toFixed(2) + (of.ratio > of.most ? '!' : ' ') : '')],
   ['asked', 7, (of) => (of.most < Infinity ? of.most.toFixed(2) : '')],
-  ['walk', 6, (of) => (of.phases ? share(of.phases.walk / sumOf(of.phases)) : '')],
+  ['walk', 6, (of) => (of.phases ? share(of.walkShare) : '')],
   ['replay', 7, (of) => of.replay?.toFixed(2) ?? ''],
 ];
 
@@ -31,7 +30,6 @@ const kPhaseColumns = [
     7,
     (of) => of.phases[phase].toFixed(3),
   ]),
-  ['sum', 7, (of) => share(sumOf(of.phases) / of.nsPerPixel)],
 ];
 
 const kAgainstColumns = [
@@ -78,7 +76,7 @@ export function table(runs) {
     '',
     `ns/px   nanoseconds a pixel of ${width}x${height}, the least of ${rounds} rounds`,
     'spread  how much longer the middle round took: other programs disturbed',
-    'limit   times the limit, which is a frame as full without a world; ! above what is asked',
+    'limit   times the limit, a frame as full without a world; ! above what is asked',
     "walk    the walk's share of the time",
     'replay  the same spans painted without a walk, times the limit: a bound for any faster walk',
   ].join('\n');

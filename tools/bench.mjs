@@ -91,10 +91,12 @@ function runOf(preset, wanted, output) {
   limit.most = build === 'native' ? kMostTimesACopy : Infinity;
   for (const [index, view] of measured.views.entries()) {
     const { title } = wanted[index];
+    const { setUp, walk, paint, copy } = view.phases;
+    const sum = setUp + walk + paint + copy;
     Object.assign(view, {
       title,
-      ratio: view.nsPerPixel / limit.nsPerPixel,
-      replay: (view.phases.paint + view.phases.copy) / limit.nsPerPixel,
+      walkShare: walk / sum,
+      replay: (view.ratio * (paint + copy)) / sum,
       most: mostOf(title, build),
     });
   }

@@ -38,6 +38,7 @@ const view = (title, ratio) => ({
   spread: 0.1,
   ratio,
   most: 3,
+  walkShare: 0.5,
   replay: 12.34,
   phases: { setUp: 0.01, walk: 6, paint: 5, copy: 0.99 },
 });
