@@ -1,6 +1,7 @@
-// How the page plays the views of shipped scenes in Chromium: the pictures that it draws a second,
-// and their size, in two sizes of window. At a start somebody looks left and right; of a tour the
-// seconds around its slowest moment are played. The page must have been built.
+// How the page plays the views of shipped scenes in Chromium, in two sizes of window: the pictures
+// that it draws a second, their size, and the time that drawing one takes. At a start somebody
+// looks left and right; of a tour the seconds around its slowest moment are played. The page must
+// have been built.
 //
 //     await measurePage(views);      prints a line for each view; see bench-views.mjs
 
@@ -15,25 +16,21 @@ const kWindows = [
 const kSettle = 1500; // milliseconds, in which the page finds the size that it can draw
 const kCounted = 2000;
 const kLook = 200; // milliseconds to the left, and as many to the right
-const kStepsPerMillisecond = 0.12;
+const stepsIn = (milliseconds) => Math.round(milliseconds * 0.12);
 
-// Resolves to {pictures: a second, width, height: their means}.
-const count = (page) =>
+// Resolves to the means of the page's own figures, which the event "pace" brings twice a second.
+const meansOf = (page) =>
   page.evaluate(
-    ([settle, counted]) =>
-      new Promise((resolve) => {
-        const sizes = [];
-        const note = () => sizes.push(globalThis.slicecast.picture);
-        const mean = (side) => sizes.reduce((sum, size) => sum + size[side], 0) / sizes.length;
-        setTimeout(() => {
-          globalThis.slicecast.addEventListener('framechange', note);
-          setTimeout(() => {
-            globalThis.slicecast.removeEventListener('framechange', note);
-            const pictures = (sizes.length * 1000) / counted;
-            resolve({ pictures, width: mean('width'), height: mean('height') });
-          }, counted);
-        }, settle);
-      }),
+    async ([settle, counted]) => {
+      const wait = (time) => new Promise((resolve) => setTimeout(resolve, time));
+      const told = [];
+      await wait(settle);
+      globalThis.slicecast.addEventListener('pace', ({ detail }) => told.push(detail));
+      await wait(counted);
+      const mean = (name) => told.reduce((sum, { [name]: one }) => sum + one, 0) / told.length;
+      const names = ['framesPerSecond', 'drawMilliseconds', 'width', 'height'];
+      return Object.fromEntries(names.map((name) => [name, mean(name)]));
+    },
     [kSettle, kCounted],
   );
 
@@ -48,14 +45,21 @@ async function measureView(page, address, { scene, isTour }) {
   await page.goto(`${address}?${isTour ? 'tour' : 'scene'}=${scene}`);
   await inState(page, 'paused');
   if (isTour) {
-    const before = Math.round((kSettle + kCounted / 2) * kStepsPerMillisecond);
-    const from = Math.max(0, moments[scene] - before);
-    await page.evaluate((step) => globalThis.slicecast.seek(step), from);
+    // Not beyond the end of the tour, where nothing moves any more.
+    const begin = ([step, half, all]) => {
+      const { replay } = globalThis.slicecast;
+      globalThis.slicecast.seek(Math.max(0, Math.min(step - all + half, replay.steps - all)));
+    };
+    await page.evaluate(begin, [
+      moments[scene],
+      stepsIn(kCounted / 2),
+      stepsIn(kSettle + kCounted),
+    ]);
     await page.waitForFunction(() => !globalThis.slicecast.replay.isSeeking);
   }
   await play(page);
   let isOver = false;
-  const counting = count(page).finally(() => (isOver = true));
+  const counting = meansOf(page).finally(() => (isOver = true));
   if (!isTour) await lookAround(page, () => isOver);
   return counting;
 }
@@ -64,15 +68,18 @@ export async function measurePage(views) {
   const server = await serve();
   const browser = await launch();
   const box = ({ width, height }) => `${Math.round(width)}x${Math.round(height)}`;
-  console.log(`${''.padEnd(32)}${kWindows.map((size) => box(size).padEnd(30)).join('')}`);
+  console.log(`${''.padEnd(32)}${kWindows.map((size) => box(size).padEnd(36)).join('')}`);
   for (const view of views.filter(({ scene }) => scene !== undefined)) {
     process.stdout.write(view.title.padEnd(32));
     for (const viewport of kWindows) {
       const page = await browser.newPage({ viewport });
       const drawn = await measureView(page, server.address, view);
       const share = (drawn.width * drawn.height) / (viewport.width * viewport.height);
-      const text = `${drawn.pictures.toFixed(0).padStart(3)} a second, ${box(drawn)}`;
-      process.stdout.write(`${text} ${Math.round(share * 100)} %`.padEnd(30));
+      const text =
+        `${drawn.framesPerSecond.toFixed(0).padStart(3)} of ${box(drawn).padEnd(9)}` +
+        `${Math.round(share * 100)} %`.padStart(6) +
+        `${drawn.drawMilliseconds.toFixed(1)} ms`.padStart(9);
+      process.stdout.write(text.padEnd(36));
       await page.close();
     }
     process.stdout.write('\n');
