@@ -28,7 +28,9 @@
 namespace slicecast {
 namespace {
 
-constexpr int kFrames = 4;  // in a round, one after another; the first ones find other caches
+// In a round, one after another; the first ones find other caches.
+constexpr int kFrames = 4;
+constexpr int kPhasedFrames = 2;
 
 // Seconds of a frame: the least of each round.
 using Times = std::vector<double>;
@@ -51,7 +53,7 @@ struct MeasuredView {
     void measureRound(Canvas& canvas, LimitKernel& kernel) {
         measure(limit, [&] { kernel.draw(canvas.pixels.data()); });
         measure(times, [&] { session->draw(canvas.picture()); });
-        for (int i = 0; i < kFrames; ++i) {
+        for (int i = 0; i < kPhasedFrames; ++i) {
             const Phases now = phased->draw(canvas.picture());
             if (now.sum() < phases.sum()) phases = now;
         }
