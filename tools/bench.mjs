@@ -24,7 +24,7 @@ import {
 
 const kRatios = 'tests/bench/ratios.json';
 const kRounds = 15;
-const kSlowestEvery = 30; // steps: a quarter of a second
+const kSlowestEvery = 60; // steps: half a second
 // Asked of the limit itself, natively: a slow limit would flatter the views.
 const kMostTimesACopy = 10;
 const kTimesMoreRounds = 3; // when measuring a suspected loss again
