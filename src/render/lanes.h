@@ -89,6 +89,28 @@ inline F64x2 heldBetween(F64x2 value, double low, double high) {
 inline I16x8 narrowed(U32x4 a, U32x4 b) {
     return (I16x8)_mm_packs_epi32((__m128i)a, (__m128i)b);
 }
+// The low 16 bits of eight numbers.
+inline I16x8 lowHalves(U32x4 a, U32x4 b) {
+    return (I16x8)_mm_packs_epi32((__m128i)((I32x4)(a << 16) >> 16),
+                                  (__m128i)((I32x4)(b << 16) >> 16));
+}
+// The first four of eight numbers, and the others.
+inline I32x4 firstFour(I16x8 v) {
+    return (I32x4)_mm_unpacklo_epi16((__m128i)v, (__m128i)v) >> 16;
+}
+inline I32x4 lastFour(I16x8 v) {
+    return (I32x4)_mm_unpackhi_epi16((__m128i)v, (__m128i)v) >> 16;
+}
+// Four numbers rounded towards 0.
+inline I32x4 wholeOf(F64x2 a, F64x2 b) {
+    return (I32x4)_mm_unpacklo_epi64(_mm_cvttpd_epi32((__m128d)a), _mm_cvttpd_epi32((__m128d)b));
+}
+inline F64x2 firstTwo(I32x4 v) {
+    return (F64x2)_mm_cvtepi32_pd((__m128i)v);
+}
+inline F64x2 lastTwo(I32x4 v) {
+    return (F64x2)_mm_cvtepi32_pd(_mm_unpackhi_epi64((__m128i)v, (__m128i)v));
+}
 // Of four pairs of 16-bit numbers: the sum of their two products.
 inline U32x4 dotPairs(U32x4 a, U32x4 b) {
     return (U32x4)_mm_madd_epi16((__m128i)a, (__m128i)b);
@@ -110,6 +132,26 @@ inline U8x16 upperBytes(U16x8 a, U16x8 b) {
     return (U8x16)_mm_packus_epi16((__m128i)(a >> 8), (__m128i)(b >> 8));
 }
 #elif defined(__wasm_simd128__)
+inline I16x8 lowHalves(U32x4 a, U32x4 b) {
+    return (I16x8)wasm_i16x8_shuffle((v128_t)a, (v128_t)b, 0, 2, 4, 6, 8, 10, 12, 14);
+}
+inline I32x4 firstFour(I16x8 v) {
+    return (I32x4)wasm_i32x4_extend_low_i16x8((v128_t)v);
+}
+inline I32x4 lastFour(I16x8 v) {
+    return (I32x4)wasm_i32x4_extend_high_i16x8((v128_t)v);
+}
+inline I32x4 wholeOf(F64x2 a, F64x2 b) {
+    return (I32x4)wasm_i32x4_shuffle(wasm_i32x4_trunc_sat_f64x2_zero((v128_t)a),
+                                     wasm_i32x4_trunc_sat_f64x2_zero((v128_t)b), 0, 1, 4, 5);
+}
+inline F64x2 firstTwo(I32x4 v) {
+    return (F64x2)wasm_f64x2_convert_low_i32x4((v128_t)v);
+}
+inline F64x2 lastTwo(I32x4 v) {
+    return (F64x2)wasm_f64x2_convert_low_i32x4(
+        wasm_i32x4_shuffle((v128_t)v, (v128_t)v, 2, 3, 2, 3));
+}
 inline U32x4 dotPairs(U32x4 a, U32x4 b) {
     return (U32x4)wasm_i32x4_dot_i16x8((v128_t)a, (v128_t)b);
 }
@@ -152,6 +194,30 @@ inline I16x8 narrowed(U32x4 a, U32x4 b) {
     return (I16x8)wasm_i16x8_narrow_i32x4((v128_t)a, (v128_t)b);
 }
 #else
+inline I16x8 lowHalves(U32x4 a, U32x4 b) {
+    I16x8 all;
+    for (int i = 0; i < 4; ++i) {
+        all[i] = static_cast<std::int16_t>(a[i] & 0xffff);
+        all[i + 4] = static_cast<std::int16_t>(b[i] & 0xffff);
+    }
+    return all;
+}
+inline I32x4 firstFour(I16x8 v) {
+    return I32x4{v[0], v[1], v[2], v[3]};
+}
+inline I32x4 lastFour(I16x8 v) {
+    return I32x4{v[4], v[5], v[6], v[7]};
+}
+inline I32x4 wholeOf(F64x2 a, F64x2 b) {
+    return I32x4{static_cast<int>(a[0]), static_cast<int>(a[1]), static_cast<int>(b[0]),
+                 static_cast<int>(b[1])};
+}
+inline F64x2 firstTwo(I32x4 v) {
+    return F64x2{static_cast<double>(v[0]), static_cast<double>(v[1])};
+}
+inline F64x2 lastTwo(I32x4 v) {
+    return F64x2{static_cast<double>(v[2]), static_cast<double>(v[3])};
+}
 inline U32x4 dotPairs(U32x4 a, U32x4 b) {
     return (a & 0xffff) * (b & 0xffff) + (a >> 16) * (b >> 16);
 }

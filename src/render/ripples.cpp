@@ -1,5 +1,6 @@
 #include "render/ripples.h"
 
+#include "render/lanes.h"
 #include "render/slice_paint.h"
 
 #include <algorithm>
@@ -16,12 +17,6 @@ bool isSamePlane(const ColumnSpans& found, const MirrorSpan& a, const MirrorSpan
     return a.rise == b.rise && vistaOf(a) == vistaOf(b);
 }
 
-// Whether another span is the same mirror in the rows above.
-bool goesOn(const MirrorSpan& span, const MirrorSpan& above) {
-    return above.last == span.first && above.part == span.part && above.rise == span.rise &&
-           above.strength == span.strength && above.ripples == span.ripples;
-}
-
 // From -4096 to 4096, for a phase of 256 a period.
 int wave(int phase) {
     const int f = phase & 127;
@@ -29,14 +24,82 @@ int wave(int phase) {
     return ((f * (128 - f)) ^ sign) - sign;
 }
 
+I16x8 wave(U16x8 phase) {
+    const auto f = (I16x8)(phase & 127);
+    const I16x8 sign = -(I16x8)(phase >> 7 & 1);
+    return ((f * (128 - f)) ^ sign) - sign;
+}
+
 constexpr int kHighestWave = 512;
 
-// How high the waves are at a point, in 1/256 units; from -kHighestWave to kHighestWave.
-int waveAt(int x, int y, int step) {
+// How high the waves are at a point, or at eight, in 1/256 units; from -kHighestWave to
+// kHighestWave. Only the low 11 bits of places and step matter.
+template <typename Place>
+auto waveAt(Place x, Place y, Place step) {
     return (2 * wave((5 * x + 3 * y + 8 * step) >> 3) + wave((9 * y - 4 * x + 8 * step) >> 2) +
             wave((11 * x - 6 * y + 10 * step) >> 2)) >>
            5;
 }
+
+// By row: the square of its offset from the horizon, divided, 1/262144. The same for all columns
+// that see a mirror's plane.
+const double* squaresOf(RippleMemory& memory, double perSquare, double horizon, std::size_t rows) {
+    for (const RippleMemory::Squares& known : memory.squares) {
+        if (known.perSquare == perSquare && known.horizon == horizon && known.byRow.size() == rows)
+            return known.byRow.data();
+    }
+    RippleMemory::Squares& made = memory.squares[memory.oldest++ % memory.squares.size()];
+    made.perSquare = perSquare;
+    made.horizon = horizon;
+    made.byRow.resize(rows);
+    for (std::size_t row = 0; row < rows; ++row) {
+        const double offset = static_cast<double>(row) + 0.5 - horizon;
+        made.byRow[row] = offset * offset / perSquare / 262144.0;
+    }
+    return made.byRow.data();
+}
+
+// What does not change along the rows of a mirror.
+struct MirrorRows {
+    const double* inverseOffsets;  // by row
+    const double* squares;
+    PlaneLine line;
+    U16x8 eyeX;  // 1/256 units
+    U16x8 eyeY;
+    U16x8 step;
+    double ripples;
+    int most;
+    int lowest;
+    int highest;
+
+    // The places of eight rows along an axis, in 1/256 of a tile.
+    U16x8 places(int row, double start, double perInverse) const {
+        const auto bits = [&](int i) {
+            const F64x2 inverse = loadVector<F64x2>(inverseOffsets + row + i);
+            return (F64x2)((U64x2)(start + PlaneLine::kFractionMagic + perInverse * inverse) >> 24);
+        };
+        return (U16x8)lowHalves(lowHalves(bits(0), bits(2)), lowHalves(bits(4), bits(6)));
+    }
+
+    // Writes which rows eight rows reflect: see rippledBy.
+    void find(int row, int* shown) const {
+        const U16x8 x = places(row, line.eastStart, line.eastPerInverse) + eyeX;
+        const U16x8 y = places(row, line.southStart, line.southPerInverse) + eyeY;
+        const I16x8 waves = waveAt(x, y, step);
+        const double limit = most;
+        const auto four = [&](I32x4 high, int i) {
+            const auto moved = [&](F64x2 two, int first) {
+                const F64x2 shift = loadVector<F64x2>(squares + row + first) * (two * ripples);
+                return heldBetween(shift, -limit, limit) + (limit + 0.5);
+            };
+            const I32x4 rows = wholeOf(moved(firstTwo(high), i), moved(lastTwo(high), i + 2));
+            storeVector(shown + i, heldBetween(rows + (I32x4{0, 1, 2, 3} + (row + i - most)),
+                                               lowest, highest));
+        };
+        four(firstFour(waves), 0);
+        four(lastFour(waves), 4);
+    }
+};
 
 }  // namespace
 
@@ -98,6 +161,7 @@ const int* findRippledRows(const Frame& frame, int column, const ColumnSpans& fo
     const int eyeY = vista.viewpoint.tileY() * 256;
     const double perSquare = height * vista.projection->distance;
     const int step = static_cast<int>(frame.world->steps & 1023);
+    const int most = frame.rippleRows;
     // Rows near the horizon show the far water, whose waves are too low to move anything
     const double stillOffset =
         std::sqrt(0.499 * 262144.0 / kHighestWave / span.ripples * perSquare);
@@ -105,7 +169,20 @@ const int* findRippledRows(const Frame& frame, int column, const ColumnSpans& fo
     const int firstMoved = static_cast<int>(
         std::clamp(stillEnd, static_cast<double>(span.first), static_cast<double>(span.last)));
     for (int row = span.first; row < firstMoved; ++row) rows[static_cast<std::size_t>(row)] = row;
-    for (int row = firstMoved; row < span.last; ++row) {
+    int row = firstMoved;
+    const MirrorRows mirror = {
+        vista.inverseOffsets,
+        squaresOf(frame.ripples, perSquare, vista.projection->horizon, planes.size()),
+        line,
+        inEight(eyeX),
+        inEight(eyeY),
+        inEight(step),
+        static_cast<double>(span.ripples),
+        most,
+        first,
+        last - 1};
+    for (; row + 8 <= span.last; row += 8) mirror.find(row, rows.data() + row);
+    for (; row < span.last; ++row) {
         const double inverse = vista.inverseOffsets[row];
         const int x =
             eyeX + static_cast<int>(
@@ -114,8 +191,7 @@ const int* findRippledRows(const Frame& frame, int column, const ColumnSpans& fo
             eyeY + static_cast<int>(
                        PlaneLine::position(line.southStart, line.southPerInverse, inverse) >> 24);
         const double offset = row + 0.5 - vista.projection->horizon;
-        const int moved =
-            rippledBy({x, y, step, span.ripples, offset, perSquare}, frame.rippleRows);
+        const int moved = rippledBy({x, y, step, span.ripples, offset, perSquare}, most);
         rows[static_cast<std::size_t>(row)] = std::clamp(row + moved, first, last - 1);
     }
     return rows.data();
@@ -126,12 +202,7 @@ void SlicePainter::blendRipples(const SliceSpans& slice) {
     std::vector<Pixel>& colours = frame_.ripples.colours;
     colours.resize(static_cast<std::size_t>(height));
     findMirrorPlanes(frame_, slice.upright);
-    const std::vector<MirrorSpan>& mirrors = slice.upright.mirrors;
-    for (std::size_t i = 0; i < mirrors.size(); ++i) {
-        // A floor is one span in each tile: takes them together
-        MirrorSpan span = mirrors[i];
-        for (; i + 1 < mirrors.size() && goesOn(span, mirrors[i + 1]); ++i)
-            span.first = mirrors[i + 1].first;
+    for (const MirrorSpan& span : slice.upright.mirrors) {
         const int count = span.last - span.first;
         const Pixel* reflected = reflected_.data() + (height - span.last);
         if (span.ripples > 0) {

@@ -10,6 +10,8 @@
 
 #include "slicecast/colour.h"
 
+#include <array>
+#include <cstddef>
 #include <vector>
 
 namespace slicecast {
@@ -24,6 +26,15 @@ struct RippleMemory {
     std::vector<int> planes;     // by row: 0 for no mirror, equal numbers for one plane
     std::vector<int> rows;       // by row of a mirror: the row whose reflection it shows
     std::vector<Pixel> colours;  // of a mirror's rows
+
+    // Of the last few planes with ripples: see squaresOf.
+    struct Squares {
+        double perSquare = 0.0;
+        double horizon = 0.0;
+        std::vector<double> byRow;
+    };
+    std::array<Squares, 4> squares;
+    std::size_t oldest = 0;
 };
 
 bool hasRipples(const World& world);

@@ -16,8 +16,10 @@ inline constexpr bool kHasVectors = false;
 
 using U8x16 = std::uint8_t __attribute__((vector_size(16)));
 using U16x8 = std::uint16_t __attribute__((vector_size(16)));
+using I32x4 = std::int32_t __attribute__((vector_size(16)));
 using U32x4 = std::uint32_t __attribute__((vector_size(16)));
 using F64x2 = double __attribute__((vector_size(16)));
+using U64x2 = std::uint64_t __attribute__((vector_size(16)));
 using I64x2 = std::int64_t __attribute__((vector_size(16)));
 
 template <typename Vector>
@@ -34,6 +36,19 @@ inline void storeVector(void* to, Vector v) {
 
 inline U32x4 allLanes(std::uint32_t value) {
     return U32x4{value, value, value, value};
+}
+
+// The low 16 bits of a number.
+inline U16x8 inEight(int value) {
+    const auto v = static_cast<std::uint16_t>(value & 0xffff);
+    return U16x8{v, v, v, v, v, v, v, v};
+}
+// `low` must not be above `high`.
+inline I32x4 heldBetween(I32x4 value, int low, int high) {
+    const I32x4 over = value > high;
+    value = (over & high) | (~over & value);
+    const I32x4 under = value < low;
+    return (under & low) | (~under & value);
 }
 
 // The low 32 bits of four doubles' bit patterns.
