@@ -76,6 +76,8 @@ private:
     void paintPlaneByRows(const PlaneRun& run, int first, int last, const PlanePoints& points,
                           Lay lay);
     void paintSlope(const Span& span, Lay lay);  // slope_paint.cpp
+    void paintSlopeRows(const Span& span, Pixel* pixels, int rows, const PlaneRows& shades,
+                        PlaneShade shade, Lay lay);
     void count(int first, int last) {
         ++report_.spansDrawn;
         report_.rowsFilled += last - first;
