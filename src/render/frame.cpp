@@ -1,6 +1,17 @@
 #include "render/frame.h"
 
 namespace slicecast {
+namespace {
+
+bool isInvisible(const TextureLevel& level) {
+    for (int u = 0; u < level.size; ++u) {
+        const TexelRun& run = *level.runs.of(u);
+        if (run.coverage != Coverage::hole || run.end != level.size) return false;
+    }
+    return true;
+}
+
+}  // namespace
 
 Frame::Frame(const World& w, const Eye& e, const RenderOptions& options, int width, int height,
              FrameMemory& memory)
@@ -19,7 +30,7 @@ Frame::Frame(const World& w, const Eye& e, const RenderOptions& options, int wid
         const Texture& texture = w.textures[i];
         const SharedVector<TextureLevel>& levels = texture.levelsOf(texture.frameAt(w.steps));
         textures[i] = {levels.data(), texture.size(), static_cast<int>(levels.size()) - 1,
-                       texture.seeThrough};
+                       texture.seeThrough, texture.seeThrough && isInvisible(levels[0])};
     }
 }
 

@@ -19,6 +19,7 @@ struct FrameTexture {
     int size = 0;  // texels a side
     int last = 0;  // index of the last level
     bool seeThrough = false;
+    bool invisible = false;  // no texel shows anything
 };
 
 // Memory that frames reuse: keep one for pictures that are drawn repeatedly.

@@ -41,10 +41,10 @@ std::size_t OpenLanes::takeListed(unsigned bits, Lanes from, Lanes to) {
     const LaneValues b(to);
     std::size_t count = 0;
     eachLane(bits, [&](int lane) {
-        rows_[indexOf(lane)].take(a.at[lane], b.at[lane], [&](int first, int last) {
+        for (const auto& [first, last] : rows_[indexOf(lane)].take(a.at[lane], b.at[lane])) {
             if (taken_.size() < count + 1 + 2 * kLanes) taken_.resize(2 * taken_.size());
             taken_[count++] = {lane, first, last};
-        });
+        }
         read(lane);
     });
     return count;
@@ -80,7 +80,7 @@ void OpenLanes::makeLists(unsigned bits, Lanes from, Lanes to) {
     const LaneValues b(to);
     eachLane(bits, [&](int lane) {
         write(lane);
-        rows_[indexOf(lane)].take(a.at[lane], b.at[lane], [](int, int) {});
+        rows_[indexOf(lane)].take(a.at[lane], b.at[lane]);
         listed_ |= 1u << lane;
     });
 }

@@ -135,7 +135,7 @@ void PlainWalk::sendThrough(PortalId id, Rows rows, const HeightClip& clip) {
     const Before before = {&map(), from.x, from.y, portal.levels};
     const GridWalk onward = walk_.turned(portal.turn, portal.toX, portal.toY);
     const auto begun = static_cast<std::size_t>(number_) + 1;
-    open_.take(rows.first, rows.last, [&](int first, int last) {
+    for (const auto& [first, last] : open_.take(rows.first, rows.last)) {
         if (first < hazeRow) {
             Part& part = found_->parts.find(beyond, onward, clip, before, part_.portals + 1, begun);
             Parts::addRows(part, first, std::min(last, hazeRow));
@@ -150,7 +150,7 @@ void PlainWalk::sendThrough(PortalId id, Rows rows, const HeightClip& clip) {
         }
         found_->portals.push_back(
             {id, part_.portals, walk_.entered * projection().distance, first, last});
-    });
+    }
 }
 
 // Finds what mirrors show: repeats the walk that met the mirror, seen from as far below it as the

@@ -438,7 +438,8 @@ Span PlainWalk::spanOf(What what) const {
 // Adds a span for each run of open rows, completed by `finish`, and closes the rows unless it is a
 // layer.
 void PlainWalk::show(const Span& look, Rows rows, const Finish& finish) {
-    const auto add = [&](int first, int last) {
+    for (const auto& [first, last] :
+         look.layer ? open_.within(rows.first, rows.last) : open_.take(rows.first, rows.last)) {
         if (look.layer && found_->isFull()) return;
         if (look.layer) ++found_->layers;
         Span& span = found_->spans.add();
@@ -446,11 +447,6 @@ void PlainWalk::show(const Span& look, Rows rows, const Finish& finish) {
         span.first = first;
         span.last = last;
         if (finish) finish(span);
-    };
-    if (look.layer) {
-        open_.each(rows.first, rows.last, add);
-    } else {
-        open_.take(rows.first, rows.last, add);
     }
 }
 

@@ -7,13 +7,6 @@
 
 namespace slicecast {
 
-SliceWalk::Block SliceWalk::blockAt(int x, int y, int level) const {
-    const BlueprintId id = map_->cells[map_->cellIndex(x, y, level)];
-    const CellBlueprint& blueprint = frame_.world->blueprints[id];
-    const std::int32_t base = tileEdge(level).raw - eyeZ_;
-    return {&blueprint, level, base + blueprint.bottom.raw, base + blueprint.top.raw, false};
-}
-
 // Meets the blocks of one tile, nearest first: for each block the side that the walk enters, then
 // its roof or underside, first from the eye's height downwards, then upwards. The floor comes last,
 // with its run.
@@ -193,23 +186,39 @@ Plane SliceWalk::planeOf(const Block& block, Face face) const {
 }
 
 void SliceWalk::takeRoof(const Block& block, int firstRow, int lastRow, bool fromInside) {
-    open_.take(firstRow, lastRow, [&](int first, int last) {
-        const FaceBlueprint& look = block.blueprint->face(Face::top);
-        const int strength = fromInside ? 0 : mirrorStrength(look.mirror);
+    const FaceBlueprint& look = block.blueprint->face(Face::top);
+    const int strength = fromInside ? 0 : mirrorStrength(look.mirror);
+    Plane plane = planeOf(block, Face::top);
+    plane.mirror = strength > 0;
+    for (const auto& [first, last] : open_.take(firstRow, lastRow)) {
         if (strength > 0) mirror(block.top, first, last, strength, look.ripples);
-        Plane plane = planeOf(block, Face::top);
-        plane.mirror = strength > 0;
-        addPlane(What::roof, lookOf(plane), first, last, here_).level = block.level;
-    });
+        addFace(What::roof, lookOf(plane), first, last, here_, block.level);
+    }
 }
 
 void SliceWalk::takeUnderside(const Block& block, int firstRow, int lastRow) {
-    open_.take(firstRow, lastRow, [&](int first, int last) {
-        Span& span =
-            addPlane(What::underside, lookOf(planeOf(block, Face::bottom)), first, last, here_);
-        span.level = block.level;
-        span.face = Face::bottom;
-    });
+    for (const auto& [first, last] : open_.take(firstRow, lastRow))
+        addFace(What::underside, lookOf(planeOf(block, Face::bottom)), first, last, here_,
+                block.level);
+}
+
+// A roof or an underside. Rows that touch those of the last span are one run with it.
+void SliceWalk::addFace(What what, PlaneLook& look, int first, int last, const TileRange& tiles,
+                        int level) {
+    const bool isRoof = what == What::roof;
+    if (SpanList& spans = found_->spans; spans.count() > 0) {
+        Span& before = spans[spans.count() - 1];
+        if (before.what == what && !before.layer && before.look == &look && before.part == part_ &&
+            before.level == level && (isRoof ? before.first == last : before.last == first)) {
+            (isRoof ? before.first : before.last) = isRoof ? first : last;
+            before.tiles.toX = tiles.toX;
+            before.tiles.toY = tiles.toY;
+            return;
+        }
+    }
+    Span& span = addPlane(what, look, first, last, tiles);
+    span.level = level;
+    span.face = isRoof ? Face::top : Face::bottom;
 }
 
 void SliceWalk::takeCeilingHere(TextureId texture) {

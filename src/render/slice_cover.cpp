@@ -20,8 +20,9 @@ void SliceWalk::takeFloorBeyond(int row) {
 }
 
 void SliceWalk::takeFloorRows(int row, const TileRange& tiles) {
-    open_.take(std::max(row, vista_->firstFloorRow), projection_->height,
-               [&](int first, int last) { addFloor(first, last, tiles); });
+    for (const auto& [first, last] :
+         open_.take(std::max(row, vista_->firstFloorRow), projection_->height))
+        addFloor(first, last, tiles);
 }
 
 // Floor that continues from tile to tile is one span.
@@ -63,9 +64,8 @@ void SliceWalk::endCeiling(Border at) {
         if (frame_.textures[ceiling_.texture].seeThrough) {
             seeThroughPlane(What::ceiling, plane, firstRow, lastRow, tiles);
         } else {
-            open_.take(firstRow, lastRow, [&](int first, int last) {
+            for (const auto& [first, last] : open_.take(firstRow, lastRow))
                 addPlane(What::ceiling, lookOf(plane), first, last, tiles);
-            });
         }
     }
     ceiling_.texture = kNoTexture;

@@ -181,13 +181,13 @@ void SliceWalk::seeThroughSide(const Side& side, const SideView& view, int first
 
 void SliceWalk::seeThroughPlane(What what, const Plane& plane, int firstRow, int lastRow,
                                 const TileRange& tiles, int level) {
-    open_.each(firstRow, lastRow, [&](int first, int last) {
+    for (const auto& [first, last] : open_.within(firstRow, lastRow)) {
         if (!countLayer()) return;
         Span& span = addPlane(what, lookOf(plane), first, last, tiles);
         span.face = what == What::roof ? Face::top : Face::bottom;
         span.level = level;
         span.layer = true;
-    });
+    }
 }
 
 }  // namespace slicecast

@@ -94,7 +94,7 @@ void SliceWalk::meetObject(const FrameObject& object) {
                             ? object.lastRow
                             : FrameObjects::firstRowBelow(*projection_, clip_.low, object.depth);
     const auto add = [&](const TexelColumn& column, int first, int last, bool layer) {
-        if (!layer) open_.take(first, last, [](int, int) {});
+        if (!layer) open_.take(first, last);
         Span& span = this->add(What::object, first, last);
         span.layer = layer;
         span.object = object.index;

@@ -52,17 +52,35 @@ void SlicePainter::paintOpaque(const ColumnSpans& column) {
 // Paints layers from back to front.
 void SlicePainter::paintLayers(const ColumnSpans& column) {
     report_.layers += static_cast<std::int64_t>(column.layers);
+    PlaneRun run;  // of layers
+    const auto paintRun = [&] {
+        if (run.first != run.last) paintPlane(run, Lay::over);
+        run.first = run.last = -1;
+    };
     for (const Span* span = column.spans.end(); span != column.spans.begin();) {
         --span;
         if (!span->layer) continue;
+        if (span->what != What::side && span->what != What::object && !span->look->plane.sloped) {
+            const bool falls = span->look->plane.rise < 0;
+            if ((falls ? run.last == span->first : run.first == span->last) &&
+                run.part == span->part && run.look == span->look) {
+                (falls ? run.last : run.first) = falls ? span->last : span->first;
+                run.tiles.fromX = span->tiles.fromX;
+                run.tiles.fromY = span->tiles.fromY;
+            } else {
+                paintRun();
+                run = runOf(*span);
+            }
+            continue;
+        }
+        paintRun();
         if (span->what == What::side || span->what == What::object) {
             paintTexels(*span, Lay::over);
-        } else if (span->look->plane.sloped) {
-            paintSlope(*span, Lay::over);
         } else {
-            paintPlane(runOf(*span), Lay::over);
+            paintSlope(*span, Lay::over);
         }
     }
+    paintRun();
 }
 
 // Paints the reflections into an upside down column, and blends it over the mirrors.

@@ -128,7 +128,7 @@ void SliceWalk::sendThrough(PortalId id, int firstRow, int lastRow, const Height
         clip.any() ? Before{map_, walk_.tileX, walk_.tileY, portal.levels}
                    : Before{map_, beforeX(Border::enter), beforeY(Border::enter), portal.levels};
     const auto begun = static_cast<std::size_t>(part_) + 1;
-    open_.take(firstRow, lastRow, [&](int first, int last) {
+    for (const auto& [first, last] : open_.take(firstRow, lastRow)) {
         if (first < hazeRow) {
             Part& part = found_->parts.find(beyond, onward, clip, before, portals_ + 1, begun);
             Parts::addRows(part, first, std::min(last, hazeRow));
@@ -140,7 +140,7 @@ void SliceWalk::sendThrough(PortalId id, int firstRow, int lastRow, const Height
         }
         found_->portals.push_back(
             {id, portals_, walk_.entered * projection_->distance, first, last});
-    });
+    }
 }
 
 // Sends all open rows through the tile's portal. If it does not act, they end in the haze of the
@@ -154,13 +154,21 @@ void SliceWalk::enterPortalTile() {
 }
 
 void SliceWalk::mirror(std::int32_t rise, int first, int last, int strength, int ripples) {
+    report_.mirroredRows += last - first;
+    if (!found_->mirrors.empty()) {
+        MirrorSpan& before = found_->mirrors.back();
+        if (before.first == last && before.part == part_ && before.rise == rise &&
+            before.strength == static_cast<std::uint32_t>(strength) && before.ripples == ripples) {
+            before.first = first;
+            return;
+        }
+    }
     found_->mirrors.push_back(
         {part_, rise, first, last, static_cast<std::uint32_t>(strength), ripples});
-    report_.mirroredRows += last - first;
 }
 
-// Starts to walk what the slice's mirrors show. Each mirror becomes a part of an upside-down
-// column; the walk stands before the first tile of the first one. False without mirrors.
+// Makes parts of what the slice's mirrors show: each mirror becomes one of an upside-down column.
+// False without mirrors.
 bool SliceWalk::beginReflection(SliceSpans& found) {
     if (found.upright.mirrors.empty()) return false;
     const int height = frame_.vistas.projection().height;
@@ -176,7 +184,6 @@ bool SliceWalk::beginReflection(SliceSpans& found) {
                        height - span.last, height - span.first);
     }
     part_ = 0;
-    begin(found_->parts[0]);
     return true;
 }
 

@@ -6,15 +6,11 @@
 
 namespace slicecast {
 
-// The levels of the current tile with plans, of blocks that are met and of those next to them.
-std::uint32_t SliceWalk::levelsWithPlans() const {
+// The levels with plans of a tile in the grid.
+std::uint32_t SliceWalk::levelsWithPlans(int x, int y) const {
     std::uint32_t found = 0;
-    if (reached_ == 0) return found;
-    const int x = walk_.tileX;
-    const int y = walk_.tileY;
-    const std::uint32_t near = reached_ | reached_ << 1 | reached_ >> 1;
-    for (std::uint32_t rest = map_->occupied[map_->tileIndex(x, y)] & near; rest != 0;
-         rest &= rest - 1) {
+    if (!frame_.world->hasPlans) return found;
+    for (std::uint32_t rest = map_->occupied[map_->tileIndex(x, y)]; rest != 0; rest &= rest - 1) {
         if (!blockAt(x, y, std::countr_zero(rest)).blueprint->plan.isWhole()) found |= rest & -rest;
     }
     return found;

@@ -90,7 +90,8 @@ inline TexelColumn SliceWalk::sideColumn(const Side& side, const SideView& view,
 }
 
 void SliceWalk::takeSide(const Side& side, const SideView& view, int firstRow, int lastRow) {
-    open_.take(firstRow, lastRow, [&](int first, int last) { addSide(side, view, first, last); });
+    for (const auto& [first, last] : open_.take(firstRow, lastRow))
+        addSide(side, view, first, last);
 }
 
 // The texture of a mover may reach its lower edge within a side and start again there: then the
@@ -109,13 +110,13 @@ void SliceWalk::addSide(const Side& side, const SideView& view, int first, int l
     addSideRows(side, view, column, first, last);
 }
 
-inline void SliceWalk::addSideRows(const Side& side, const SideView& view,
-                                   const TexelColumn& column, int first, int last) {
+void SliceWalk::addSideRows(const Side& side, const SideView& view, const TexelColumn& column,
+                            int first, int last) {
     if (!side.layer || !cuts_) return addSideSpan(side, view, column, first, last);
     Side piece = side;
     const auto add = [&](const TexelColumn& texels, int from, int to, bool layer) {
         piece.layer = layer;
-        if (!layer) open_.take(from, to, [](int, int) {});
+        if (!layer) open_.take(from, to);
         addSideSpan(piece, view, texels, from, to);
     };
     if (!side.texture->seeThrough) return cutOpaque(column, first, last, cutMargin(), add);

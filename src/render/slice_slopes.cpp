@@ -118,7 +118,8 @@ void SliceWalk::takeSlope(const Block& block, const FaceOfSlopes& at, int firstR
     plane.rise = 0;
     plane.sloped = true;
     const bool isLayer = block.blueprint->seeThrough;
-    const auto add = [&](int first, int last) {
+    for (const auto& [first, last] :
+         isLayer ? open_.within(firstRow, lastRow) : open_.take(firstRow, lastRow)) {
         if (isLayer && !countLayer()) return;
         Span& span = addPlane(at.face == Face::top ? What::roof : What::underside, lookOf(plane),
                               first, last, here_);
@@ -126,11 +127,6 @@ void SliceWalk::takeSlope(const Block& block, const FaceOfSlopes& at, int firstR
         span.level = block.level;
         span.layer = isLayer;
         span.slope = {at.plane.height, at.plane.horizon};
-    };
-    if (isLayer) {
-        open_.each(firstRow, lastRow, add);
-    } else {
-        open_.take(firstRow, lastRow, add);
     }
 }
 

@@ -28,16 +28,11 @@ SliceWalk::SliceWalk(const Frame& frame, OpenRows& open, FrameReport& report, Se
 
 void SliceWalk::find(int column, SliceSpans& found, bool withReflection) {
     beginColumn(column, found);
-    goOn(false);
-    endPart();
-    walkParts(1);
-    if (!withReflection || !beginReflection(found)) return;
-    goOn(false);
-    endPart();
-    walkParts(1);
+    walkParts();
+    if (withReflection && beginReflection(found)) walkParts();
 }
 
-// Starts the first part, before its first tile.
+// Makes the first part.
 void SliceWalk::beginColumn(int column, SliceSpans& found) {
     column_ = column;
     found.column = column;
@@ -50,26 +45,27 @@ void SliceWalk::beginColumn(int column, SliceSpans& found) {
     Part& whole = found_->parts.find(ownVista_, start, {}, {}, 0, 0);
     whole.rows.assign(1, {0, ownVista_.projection->height});
     part_ = 0;
-    begin(whole);
 }
 
-// Walking a part may add more parts.
-void SliceWalk::walkParts(int first) {
-    for (part_ = first; part_ < static_cast<int>(found_->parts.count()); ++part_) {
-        begin(found_->parts[static_cast<std::size_t>(part_)]);
+// Walks the present part and those after it. Walking a part may add more parts.
+void SliceWalk::walkParts() {
+    do {
+        begin();
         goOn(false);
-        endPart();
-    }
+    } while (nextPart());
 }
 
-void SliceWalk::endPart() {
+// Ends the present part; false if it was the last one.
+bool SliceWalk::nextPart() {
     takeBackground();
-    Part& part = found_->parts[static_cast<std::size_t>(part_)];
-    part.tiles = tiles_;
-    part.endsInPortal = endsInPortal_;
+    part().tiles = tiles_;
+    part().endsInPortal = endsInPortal_;
+    return ++part_ < static_cast<int>(found_->parts.count());
 }
 
-void SliceWalk::begin(const Part& part) {
+// Stands before the first tile of the present part.
+void SliceWalk::begin() {
+    const Part& part = this->part();
     lookInto(*part.vista);
     open_.openOnly(part.rows, projection_->height);
     walk_ = part.walk;
@@ -123,19 +119,20 @@ void SliceWalk::lookInto(Vista& vista) {
 void SliceWalk::goOn(bool leaveFirst) {
     Pass pass = passTiles(leaveFirst);
     while (pass == Pass::tile) {
-        meetHere();
+        meetHere(reached_ == 0 ? 0 : levelsWithPlans(walk_.tileX, walk_.tileY));
         if (open_.none()) break;
         pass = passTiles(true);
     }
     endWay(pass);
 }
 
-void SliceWalk::meetHere() {
+// `plans` are the levels with plans of the current tile.
+void SliceWalk::meetHere(std::uint32_t plans) {
     enter_ = walk_.enter();
     leave_ = walk_.leave();
     here_ = {walk_.tileX, walk_.tileY, walk_.tileX, walk_.tileY, false};
     enteredSideKnown_ = false;
-    meetTile();
+    meetTile(plans);
 }
 
 void SliceWalk::endWay(Pass pass) {
@@ -171,8 +168,7 @@ double SliceWalk::whereToStop(int first, int last) const {
 
 // Walks over tiles where nothing changes: the same floor and ceiling, and no block that an open row
 // may meet.
-template <bool portals>
-SliceWalk::Pass SliceWalk::passTilesWith(bool leaveFirst) {
+SliceWalk::Pass SliceWalk::passTiles(bool leaveFirst) {
     skipHiddenObjects();
     const double stop = whereToStop(open_.first(), open_.last());
     const OpenSlopes slopes(*projection_, open_.first(), open_.last(), eyeHeight_, lowest_);
@@ -211,11 +207,9 @@ SliceWalk::Pass SliceWalk::passTilesWith(bool leaveFirst) {
         ++tiles;
         const std::size_t tile =
             static_cast<std::size_t>(walk.tileY) * width + static_cast<std::size_t>(walk.tileX);
-        if constexpr (portals) {
-            if (leave && map_->tilePortals[tile] != kNoPortal) {
-                pass = Pass::portal;
-                break;
-            }
+        if (hasTilePortals_ && leave && map_->tilePortals[tile] != kNoPortal) {
+            pass = Pass::portal;
+            break;
         }
         reached = occupiedTiles[tile];
         if (reached != 0) reached &= slopes.levelsReached(walk.entered, walk.left());
@@ -245,22 +239,22 @@ std::uint32_t SliceWalk::withoutLayers(int x, int y, std::uint32_t levels) const
 }
 
 // Meets the present tile, even if nothing changes there.
-void SliceWalk::meetCurrent() {
+void SliceWalk::meetCurrent(std::uint32_t plans) {
     skipHiddenObjects();
     const OpenSlopes slopes(*projection_, open_.first(), open_.last(), eyeHeight_, lowest_);
     reached_ = map_->occupied[map_->tileIndex(walk_.tileX, walk_.tileY)];
     if (reached_ != 0) reached_ &= slopes.levelsReached(walk_.entered, walk_.left());
     if (isFull()) reached_ = withoutLayers(walk_.tileX, walk_.tileY, reached_);
-    meetHere();
+    meetHere(plans);
 }
 
 // Meets a tile in which something changes.
-void SliceWalk::meetTile() {
+void SliceWalk::meetTile(std::uint32_t plans) {
     if (objectsTo_ < leave_.along) {
         findObjects(leave_.along);
         skipHiddenObjects();
     }
-    const std::uint32_t plans = frame_.world->hasPlans ? levelsWithPlans() : 0;
+    plans &= reached_ | reached_ << 1 | reached_ >> 1;
     if (plans != 0) {
         meetTileWithPlans(plans);
     } else if (nextObjectAlong() < leave_.along) {
@@ -295,14 +289,14 @@ void SliceWalk::meetStretch() {
 }
 
 void SliceWalk::takeBackground() {
-    open_.take(0, projection_->firstFallingRow,
-               [&](int first, int last) { add(What::sky, first, last); });
+    for (const auto& [first, last] : open_.take(0, projection_->firstFallingRow))
+        add(What::sky, first, last);
     takeHaze(projection_->firstFallingRow);
 }
 
 void SliceWalk::takeHaze(int firstRow) {
-    open_.take(firstRow, projection_->height,
-               [&](int first, int last) { add(What::haze, first, last); });
+    for (const auto& [first, last] : open_.take(firstRow, projection_->height))
+        add(What::haze, first, last);
 }
 
 }  // namespace slicecast

@@ -134,30 +134,29 @@ private:
 
     // ---- slice_walk.cpp
     void beginColumn(int column, SliceSpans& found);
-    void walkParts(int first);
-    void endPart();
-    void begin(const Part& part);
+    void walkParts();
+    bool nextPart();
+    Part& part() const { return found_->parts[static_cast<std::size_t>(part_)]; }
+    void begin();
     void lookInto(Vista& vista);
     void goOn(bool leaveFirst);
-    void meetHere();
-    void meetCurrent();
+    void meetHere(std::uint32_t plans);
+    void meetCurrent(std::uint32_t plans);
     bool hasObject() const { return objects_ != nullptr && object_ < objects_->objects.size(); }
     const FrameObject& object() const { return vista_->objects[objects_->objects[object_]]; }
     // The next place along the ray where an object is, or where one has to be looked for.
     double nextObjectAlong() const { return hasObject() ? object().along : objectsTo_; }
     void endWay(Pass pass);
     double whereToStop(int first, int last) const;
-    Pass passTiles(bool leaveFirst) {
-        return hasTilePortals_ ? passTilesWith<true>(leaveFirst) : passTilesWith<false>(leaveFirst);
-    }
-    template <bool portals>
-    Pass passTilesWith(bool leaveFirst);
-    void meetTile();
+    Pass passTiles(bool leaveFirst);
+    void meetTile(std::uint32_t plans);
     void meetStretch();
     void takeBackground();
     void takeHaze(int firstRow);
     Span& add(What what, int first, int last);
     Span& addPlane(What what, PlaneLook& look, int first, int last, const TileRange& tiles);
+    __attribute__((noinline)) void addFace(What what, PlaneLook& look, int first, int last,
+                                           const TileRange& tiles, int level);
     PlaneLook& lookOf(const Plane& plane) {
         return vista_->planeLooks.find(plane, frame_.textures[plane.texture], frame_.detail);
     }
@@ -177,7 +176,12 @@ private:
     void endCeiling(Border at);
 
     // ---- slice_blocks.cpp
-    Block blockAt(int x, int y, int level) const;
+    Block blockAt(int x, int y, int level) const {
+        const BlueprintId id = map_->cells[map_->cellIndex(x, y, level)];
+        const CellBlueprint& blueprint = frame_.world->blueprints[id];
+        const std::int32_t base = tileEdge(level).raw - eyeZ_;
+        return {&blueprint, level, base + blueprint.bottom.raw, base + blueprint.top.raw, false};
+    }
     void meetBlocks(std::uint32_t reached, TextureId ceilingTexture);
     __attribute__((noinline)) int leaveDownwards(const Block& block, int edgeRow);
     void meetFalling(std::uint32_t levels, TextureId ceilingTexture);
@@ -223,7 +227,7 @@ private:
     void takeEnteredSide(const Block& block, int firstRow, int lastRow);
 
     // ---- slice_plans.cpp
-    std::uint32_t levelsWithPlans() const;
+    std::uint32_t levelsWithPlans(int x, int y) const;
     void findPlanEdges(std::uint32_t levels);
     void meetTileWithPlans(std::uint32_t levels);
     bool isAtEye(int level) const { return walk_.entered == 0.0 && (late_ >> level & 1) == 0; }
@@ -237,8 +241,9 @@ private:
 
     // ---- slice_layers.cpp
     // Faces of water may be missing.
-    static bool isThere(const Block& block, Face face) {
-        return block.blueprint->face(face).texture != kNoTexture;
+    bool isThere(const Block& block, Face face) const {
+        const TextureId texture = block.blueprint->face(face).texture;
+        return texture != kNoTexture && !(cuts_ && frame_.textures[texture].invisible);
     }
     // Called at many places, but rarely: not inlined, to keep the program small.
     __attribute__((noinline)) const CellBlueprint* joinedAt(const Block& block, const Map& map,

@@ -21,34 +21,51 @@ StripWalk::StripWalk(const Frame& frame, StripScratch& scratch, FrameReport& rep
     : StripWalk(frame, scratch, report, std::make_index_sequence<kLanes>()) {}
 
 void StripWalk::find(int first, int count) {
-    const bool together = aim(first, count);
     const unsigned all = (1u << count) - 1;
-    if (!together) {
+    if (!aim(first, count)) {
         eachLane(all, [&](int i) { lane(i).find(first + i, scratch_.found[indexOf(i)]); });
         return;
     }
-    eachLane(all, [&](int i) { lane(i).beginColumn(first + i, scratch_.found[indexOf(i)]); });
+    eachLane(all, [&](int i) {
+        lane(i).beginColumn(first + i, scratch_.found[indexOf(i)]);
+        lane(i).begin();
+    });
     walk(all);
-    const Vista* mirrored = nullptr;
-    unsigned bits = 0;
+    unsigned waiting = 0;
     eachLane(all, [&](int i) {
         SliceWalk& column = lane(i);
-        column.endPart();
-        column.walkParts(1);
-        if (!column.beginReflection(scratch_.found[indexOf(i)])) return;
-        if (mirrored == nullptr) mirrored = column.vista_;
-        if (column.vista_ == mirrored && column.portals_ == 0) {
-            bits |= 1u << i;
+        if (column.nextPart()) column.walkParts();
+        if (column.beginReflection(scratch_.found[indexOf(i)])) waiting |= 1u << i;
+    });
+    while (waiting != 0) waiting = walkMirrored(waiting);
+}
+
+// Walks the present mirrored part of some of the columns: of those that look into one mirror
+// together. Returns which columns have another one.
+unsigned StripWalk::walkMirrored(unsigned bits) {
+    const Vista* mirrored = nullptr;
+    unsigned walked = 0;
+    unsigned together = 0;
+    eachLane(bits, [&](int i) {
+        SliceWalk& column = lane(i);
+        const Part& part = column.part();
+        const bool alone = part.portals > 0;
+        if (alone) {
+            walked |= 1u << i;
+        } else if (mirrored == nullptr || part.vista == mirrored) {
+            mirrored = part.vista;
+            together |= 1u << i;
         } else {
-            column.goOn(false);
+            return;
         }
+        column.begin();
+        if (alone) column.goOn(false);
     });
-    if (bits != 0) walk(bits);
-    eachLane(all, [&](int i) {
-        if (scratch_.found[indexOf(i)].upright.mirrors.empty()) return;
-        lane(i).endPart();
-        lane(i).walkParts(1);
+    if (together != 0) walk(together);
+    eachLane(walked | together, [&](int i) {
+        if (!lane(i).nextPart()) bits &= ~(1u << i);
     });
+    return bits;
 }
 
 // Finds how the columns cross the map. False if their directions differ too much (few and wide
@@ -245,10 +262,11 @@ unsigned StripWalk::withObjects(unsigned bits) {
 // Meets the contents of the current tile, column by column.
 void StripWalk::meetAlone(unsigned bits) {
     coverChanged_ = true;
+    const std::uint32_t plans = any().levelsWithPlans(tileX(v_), tileY(v_));
     eachLane(bits, [&](int i) {
         SliceWalk& walk = lane(i);
         comeTo(i, v_);
-        walk.meetCurrent();
+        walk.meetCurrent(plans);
         open_.read(i);
         floor_.at[i] = inLane(walk.floor_.texture);
         floorFromU_.at[i] = inLane(alongX_ ? walk.floor_.fromX : walk.floor_.fromY);

@@ -9,14 +9,19 @@
 //        u -->
 //
 // The contents of a tile are projected for all columns at once, and open rows are closed for all at
-// once. For rare contents (see-through blocks, plans, portals, objects, mirrors in roofs, the eye's
-// own tile) each column goes by itself, by the walk of slice_walk.h. Mirrored parts of the eye's
-// map are walked together, too. Functions marked noinline are not copied to each call, to keep the
-// program small.
+// once. For rare contents (plans, portals, objects, movers that are see-through or sloped, the
+// eye's own tile) each column goes by itself, by the walk of slice_walk.h. Mirrored parts of the
+// eye's map are walked together, too. Functions marked noinline are not copied to each call, to
+// keep the program small.
 //
 // strip_walk.cpp      from tile to tile
 // strip_slabs.cpp     which columns pass which tiles
-// strip_blocks.cpp    the contents of a tile
+// strip_rows.cpp      where they see heights
+// strip_cover.cpp     floor and ceiling
+// strip_blocks.cpp    the blocks of a tile
+// strip_sides.cpp     their sides
+// strip_planes.cpp    their roofs and undersides
+// strip_slopes.cpp    blocks with slopes
 #pragma once
 
 #include "render/open_lanes.h"
@@ -59,12 +64,30 @@ private:
         const double* data() const { return at.data(); }
     };
 
+    // The top or the underside of a block with slopes.
+    struct FaceOfSlopes {
+        Face face = Face::top;
+        bool isSloped = false;  // else level
+        double height = 0.0;    // of its plane: see SlopedPlane
+        LaneDoubles horizon;
+        Lanes atEnter;  // the first rows below it there
+        Lanes atLeave;
+    };
+
+    struct MetSlopes {
+        FaceOfSlopes top;
+        FaceOfSlopes bottom;
+    };
+
+    using SideViews = std::array<SliceWalk::SideView, kLanes>;
+
     template <std::size_t... index>
     StripWalk(const Frame& frame, StripScratch& scratch, FrameReport& report,
               std::index_sequence<index...>);
 
     // ---- strip_walk.cpp
     bool aim(int first, int count);
+    unsigned walkMirrored(unsigned bits);
     void walk(unsigned bits);
     void walkSlab();
     void leaveGridSideways();
@@ -84,31 +107,57 @@ private:
     int farTile(int lane, double v) const;
     bool passOpenLand();
 
-    // ---- strip_blocks.cpp
-    bool findBlocks(std::uint32_t reached);
-    void meet(unsigned bits, TextureId floor, TextureId ceiling);
+    // ---- strip_rows.cpp
     void findPerRaw();
     __attribute__((noinline)) Lanes rowsBelow(std::int32_t rise, Border at) const;
     __attribute__((noinline)) Lanes exactRows(Lanes rows, unsigned bits, std::int32_t rise,
                                               Border at) const;
     Crossing crossingOf(int lane, Border at) const;
+
+    // ---- strip_cover.cpp
     void changeCover(TextureId floor, TextureId ceiling);
     __attribute__((noinline)) void takeFloor(Lanes mask, Border at);
     TileRange rangeTo(int lane, Border at, int fromU, int fromV) const;
     void startCeiling(Lanes mask, TextureId texture, Lanes rows);
     __attribute__((noinline)) void takeCeiling(Lanes mask, Lanes rows, Border at);
     __attribute__((noinline)) void takeCeilingHere(TextureId texture);
+
+    // ---- strip_blocks.cpp
+    bool findBlocks(std::uint32_t reached);
+    bool hasPlainNeighbours(const Block& block) const;
+    void meet(unsigned bits, TextureId floor, TextureId ceiling);
     void meetFalling(TextureId ceiling);
     void meetRising(TextureId ceiling);
+
+    // ---- strip_sides.cpp
+    Crossing borderOf(Border at, bool alongU, bool up) const;
     void takeSide(const Block& block, Lanes first, Lanes last);
-    __attribute__((noinline)) void findViews();
-    void takeFace(const Block& block, Face face, Lanes first, Lanes last);
+    __attribute__((noinline)) void seeSide(const Block& block, Border at, Lanes first, Lanes last);
+    __attribute__((noinline)) void seeRows(Lanes mask, const SliceWalk::Side& side, Border at,
+                                           Lanes first, Lanes last);
+    __attribute__((noinline)) const SideViews& viewsAt(Border at);
+
+    // ---- strip_planes.cpp
+    void enterTop(const Block& block, Lanes first, Lanes last);
+    void enterBottom(const Block& block, Lanes first, Lanes last);
+    __attribute__((noinline)) bool joinsNext(const Block& block, int up) const;
+    __attribute__((noinline)) void takePlane(const Block& block, Face face, Lanes first,
+                                             Lanes last);
+    __attribute__((noinline)) void seePlane(const Block& block, Face face, Lanes first, Lanes last);
+
+    // ---- strip_slopes.cpp
+    __attribute__((noinline)) FaceOfSlopes faceOfSlopes(const Block& block, Face face) const;
+    Lanes firstRowsNotReflected(Border at) const;
+    __attribute__((noinline)) MetSlopes enterSlopes(const Block& block);
+    void passSlopes(const Block& block, const MetSlopes& met);
+    __attribute__((noinline)) void passFace(const Block& block, const FaceOfSlopes& at);
 
     // One of the columns that walk together, for values that they share.
     const SliceWalk& any() const { return lanes_[static_cast<std::size_t>(any_)]; }
     SliceWalk& lane(int index) { return lanes_[static_cast<std::size_t>(index)]; }
     int tileX(int v) const { return alongX_ ? u_ : v; }
     int tileY(int v) const { return alongX_ ? v : u_; }
+    TileRange here() const { return {tileX(v_), tileY(v_), tileX(v_), tileY(v_), false}; }
 
     const Frame& frame_;
     StripScratch& scratch_;
@@ -156,8 +205,10 @@ private:
     Lanes leftAlongU_;       // and which leave along u
     LaneDoubles entered_;    // rows per 1/65536 unit of height at its borders
     LaneDoubles left_;
-    bool viewsKnown_ = false;
-    std::array<SliceWalk::SideView, kLanes> views_;  // of its sides, valid if viewsKnown_
+    SideViews enteredViews_;  // of its sides, valid if known
+    SideViews leftViews_;
+    bool enteredViewsKnown_ = false;
+    bool leftViewsKnown_ = false;
     std::array<Block, kMaxLevels> block_;
     std::size_t blocks_ = 0;
 
