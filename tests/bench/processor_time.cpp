@@ -25,7 +25,7 @@ double passingSeconds() {
 #else
 namespace {
 
-double secondsOf(clockid_t clock) {
+double clockSeconds(clockid_t clock) {
     timespec time{};
     clock_gettime(clock, &time);
     return static_cast<double>(time.tv_sec) + 1e-9 * static_cast<double>(time.tv_nsec);
@@ -34,11 +34,11 @@ double secondsOf(clockid_t clock) {
 }  // namespace
 
 double processorSeconds() {
-    return secondsOf(CLOCK_PROCESS_CPUTIME_ID);
+    return clockSeconds(CLOCK_PROCESS_CPUTIME_ID);
 }
 
 double passingSeconds() {
-    return secondsOf(CLOCK_MONOTONIC);
+    return clockSeconds(CLOCK_MONOTONIC);
 }
 #endif
 

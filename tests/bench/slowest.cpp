@@ -9,7 +9,7 @@
 namespace slicecast {
 namespace {
 
-constexpr int kFrames = 3;
+constexpr int kFramesOfMoment = 3;
 constexpr std::size_t kMostRounds = 32;
 
 struct Candidate {
@@ -23,7 +23,7 @@ double secondsOfFrame(Session& session, Canvas& canvas) {
     const auto draw = [&] { session.draw(canvas.picture()); };
     draw();
     double least = secondsOf(draw);
-    for (int i = 1; i < kFrames; ++i) least = std::min(least, secondsOf(draw));
+    for (int i = 1; i < kFramesOfMoment; ++i) least = std::min(least, secondsOf(draw));
     return least;
 }
 
