@@ -35,9 +35,9 @@ protected:
     void take(unsigned bits, const LaneValues& first, const LaneValues& last) {
         std::vector<Rows> expected;
         eachLane(bits, [&](int lane) {
-            known_[static_cast<std::size_t>(lane)].take(
-                first.at[lane], last.at[lane],
-                [&](int from, int to) { expected.emplace_back(lane, from, to); });
+            OpenRows& known = known_[static_cast<std::size_t>(lane)];
+            for (const auto& [from, to] : known.take(first.at[lane], last.at[lane]))
+                expected.emplace_back(lane, from, to);
         });
         std::vector<Rows> taken;
         for (const LaneRows& rows : lanes_.take(maskOf(bits), first.lanes(), last.lanes()))

@@ -25,16 +25,18 @@ private:
     std::string text_;
 };
 
-std::string taken(OpenRows& open, int first, int last) {
+std::string textOf(const std::vector<OpenRows::Run>& runs) {
     RunText text;
-    open.take(first, last, text);
+    for (const auto& [first, last] : runs) text(first, last);
     return text.text();
 }
 
-std::string within(const OpenRows& open, int first, int last) {
-    RunText text;
-    open.each(first, last, text);
-    return text.text();
+std::string taken(OpenRows& open, int first, int last) {
+    return textOf(open.take(first, last));
+}
+
+std::string within(OpenRows& open, int first, int last) {
+    return textOf(open.within(first, last));
 }
 
 // The runs of true rows within [first, last).
