@@ -260,7 +260,9 @@ export class SchemaForm {
       list.id = id;
       document.body.append(list);
     }
-    list.replaceChildren(...this.#names(what).map((name) => new Option(name)));
+    const names = this.#names(what);
+    if (String(names) !== String([...list.options].map(({ value }) => value)))
+      list.replaceChildren(...names.map((name) => new Option(name)));
     return id;
   }
 
