@@ -56,7 +56,7 @@ export class SchemaForm {
   show(path) {
     this.#path = path;
     this.#isDue = false;
-    if (this.#parent.checkVisibility?.() === false) return;
+    if (this.#parent.closest('[hidden]') !== null) return; // in another tab
     const value = path === null ? undefined : valueAt(this.#editor.scene.value, path);
     if (value === undefined) {
       this.#parent.replaceChildren();
