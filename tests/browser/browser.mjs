@@ -182,6 +182,11 @@ export function pictureHash(page, selector = 'canvas') {
   }, selector);
 }
 
+// Lets time pass for a page whose clock is a test's, four pictures a second; `runFor` draws 60.
+export async function letPass(page, seconds) {
+  for (let quarter = 0; quarter < 4 * seconds; ++quarter) await page.clock.fastForward(250);
+}
+
 // Long enough for several frames.
 export function frames(page, count = 3) {
   return page.evaluate(

@@ -3,7 +3,7 @@
 
 import assert from 'node:assert/strict';
 import { after, before, test } from 'node:test';
-import { inState, launch, openScene, play, player, untilPlayer } from './browser.mjs';
+import { inState, launch, letPass, openScene, play, player, untilPlayer } from './browser.mjs';
 import { png } from './png.mjs';
 import { roomScene } from './room.mjs';
 
@@ -102,10 +102,12 @@ test('a locked gate says what is missing, and no key; hints at gates end by them
   await page.keyboard.press('x');
   await page.waitForSelector('#message.shown');
   assert.equal(await page.innerText('#message'), 'Still missing: brass key.');
+  await letPass(page, 26); // of this hint, and of the one about walking
   await page.waitForSelector('#hint:not(.shown)', { state: 'attached' });
+  await page.close();
 
   const free = await open(files());
   assert.equal(await free.innerText('#hint'), 'X opens the gate');
-  await free.clock.runFor(26000); // of this hint, and of the one about walking
+  await letPass(free, 26);
   assert.equal(await free.locator('#hint.shown').count(), 0);
 });

@@ -2,7 +2,7 @@
 
 import assert from 'node:assert/strict';
 import { after, before, test } from 'node:test';
-import { inState, launch, openPage, openScene, play, untilPlayer } from './browser.mjs';
+import { inState, launch, letPass, openPage, openScene, play, untilPlayer } from './browser.mjs';
 
 let browser;
 before(async () => {
@@ -93,9 +93,9 @@ test('a hint that nobody follows ends by itself', async (t) => {
   const { page } = await openScene(t, browser, { query: '?scene=room' });
   await page.clock.install();
   await play(page);
-  await page.clock.runFor(3000);
+  await letPass(page, 3);
   assert.match(await page.textContent('#hint.shown'), /walk/);
-  await page.clock.runFor(12000);
+  await letPass(page, 12);
   assert.equal(await page.locator('#hint.shown').count(), 0);
   assert.equal(await page.evaluate(() => localStorage.getItem('slicecast.hints')), null);
 });

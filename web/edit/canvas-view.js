@@ -77,10 +77,11 @@ export class CanvasView {
   }
 
   draw() {
-    if (this.#isDue || this.canvas.clientWidth === 0) return;
+    if (this.#isDue) return;
     this.#isDue = true;
     requestAnimationFrame(() => {
       this.#isDue = false;
+      if (this.canvas.clientWidth === 0) return; // asked here, where the layout is needed anyway
       const context = this.canvas.getContext('2d');
       context.setTransform(devicePixelRatio, 0, 0, devicePixelRatio, 0, 0);
       context.clearRect(0, 0, this.canvas.clientWidth, this.canvas.clientHeight);

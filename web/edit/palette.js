@@ -28,6 +28,7 @@ export class Palette {
   #pictures;
   #actions;
   #shown = '';
+  #isDue = false; // to be painted
 
   constructor(list, editor, pictures, actions) {
     this.#list = list;
@@ -138,9 +139,10 @@ export class Palette {
       this.#paint();
     }
     for (const button of this.#list.querySelectorAll('button[data-key]')) {
-      const isChosen = button.dataset.key === this.#chosen;
-      button.setAttribute('aria-pressed', String(isChosen));
-      if (isChosen) button.scrollIntoView({ block: 'nearest', inline: 'nearest' });
+      const isChosen = String(button.dataset.key === this.#chosen);
+      if (button.getAttribute('aria-pressed') === isChosen) continue;
+      button.setAttribute('aria-pressed', isChosen);
+      if (isChosen === 'true') button.scrollIntoView({ block: 'nearest', inline: 'nearest' });
     }
   }
 
@@ -191,11 +193,17 @@ export class Palette {
     return heights[heights.length >> 1] ?? this.#actions.heightOf(file) ?? 1;
   }
 
+  // Once, before the next frame.
   #paint() {
-    const buttons = this.#list.querySelectorAll('button[data-key]');
-    this.#entries.forEach(({ paint }, index) => {
-      const icon = buttons[index]?.querySelector('canvas');
-      if (icon) paint(icon);
+    if (this.#isDue) return;
+    this.#isDue = true;
+    requestAnimationFrame(() => {
+      this.#isDue = false;
+      const buttons = this.#list.querySelectorAll('button[data-key]');
+      this.#entries.forEach(({ paint }, index) => {
+        const icon = buttons[index]?.querySelector('canvas');
+        if (icon) paint(icon);
+      });
     });
   }
 }

@@ -13,6 +13,7 @@ export class Pictures {
   #readFile;
   #known = new Map(); // what the scene says of a texture, as text -> {image, mean}
   #listeners = [];
+  #isDue = false; // to tell them
 
   constructor(scene, readFile) {
     this.#scene = scene;
@@ -65,7 +66,17 @@ export class Pictures {
       entry.image = await createImageBitmap(whole, 0, 0, width, height);
       entry.mean = meanOf(entry.image);
     }
-    for (const listener of this.#listeners) listener();
+    this.#tell();
+  }
+
+  // Once a frame: many come at a time, and everything is painted anew.
+  #tell() {
+    if (this.#isDue) return;
+    this.#isDue = true;
+    requestAnimationFrame(() => {
+      this.#isDue = false;
+      for (const listener of this.#listeners) listener();
+    });
   }
 }
 

@@ -56,7 +56,7 @@ export class SchemaForm {
   show(path) {
     this.#path = path;
     this.#isDue = false;
-    if (this.#parent.checkVisibility?.() === false) return;
+    if (this.#parent.closest('[hidden]') !== null) return; // in another tab
     const value = path === null ? undefined : valueAt(this.#editor.scene.value, path);
     if (value === undefined) {
       this.#parent.replaceChildren();
@@ -260,7 +260,9 @@ export class SchemaForm {
       list.id = id;
       document.body.append(list);
     }
-    list.replaceChildren(...this.#names(what).map((name) => new Option(name)));
+    const names = this.#names(what);
+    if (String(names) !== String([...list.options].map(({ value }) => value)))
+      list.replaceChildren(...names.map((name) => new Option(name)));
     return id;
   }
 
