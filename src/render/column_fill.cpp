@@ -4,6 +4,9 @@
 #include "base/pixels.h"
 #include "render/vectors.h"
 
+#include <algorithm>
+#include <array>
+
 namespace slicecast {
 namespace {
 
@@ -85,6 +88,12 @@ inline std::uint32_t fogged(std::uint32_t lit, std::uint32_t fogTwice, std::uint
     const U16x8 odd = dividedBy255(lit.odd * rest + (hazeOdd * fog + half));
     return (U32x4)even | (U32x4)(odd << 8) | kOpaque;
 }
+
+// Texels as they are, for those who shade them later.
+struct AsItIs {
+    std::uint32_t one(std::uint32_t texel, int) const { return texel; }
+    U32x4 four(U32x4 texels, int) const { return texels; }
+};
 
 // Full light and no fog: colours stay unchanged.
 struct NoShade {
@@ -192,7 +201,7 @@ inline std::uint32_t lowHalf(double value) {
     return static_cast<std::uint32_t>(bitCast<std::uint64_t>(value));
 }
 
-template <typename Put, typename ShadeRows>
+template <typename ShadeRows>
 void fillPlaneRows(Pixel* column, int first, int last, const PlaneTexels& from, ShadeRows shade) {
     const PlaneLine& line = from.line;
     const double* const inverseOffsets = from.rows.inverseOffsets;
@@ -218,7 +227,7 @@ void fillPlaneRows(Pixel* column, int first, int last, const PlaneTexels& from, 
             const U32x4 index = shiftedLeft(u, bits) | (v ^ reverse);
             const U32x4 four = {texels[index[0]], texels[index[1]], texels[index[2]],
                                 texels[index[3]]};
-            storeVector(column + row, Put::four(column + row, four, shade.four(four, row)));
+            storeVector(column + row, shade.four(four, row));
         }
     }
     // #region plane-texel
@@ -227,16 +236,9 @@ void fillPlaneRows(Pixel* column, int first, int last, const PlaneTexels& from, 
             lowHalf(eastStart + line.eastPerInverse * inverseOffsets[row]) >> shift;
         const std::uint32_t v =
             lowHalf(southStart + line.southPerInverse * inverseOffsets[row]) >> shift;
-        const Pixel texel = texels[(u << bits) | (v ^ reverse)];
-        column[row] = Put::one(column + row, texel, shade.one(texel, row));
+        column[row] = shade.one(texels[(u << bits) | (v ^ reverse)], row);
     }
     // #endregion
-}
-
-template <typename Put, typename ShadeRows>
-void fillOneTexel(Pixel* column, int first, int last, Pixel texel, ShadeRows shade) {
-    for (int row = first; row < last; ++row)
-        column[row] = Put::one(column + row, texel, shade.one(texel, row));
 }
 
 template <typename Put, typename ShadeRows>
@@ -280,24 +282,25 @@ void fillSideAs(Pixel* out, int rows, const TexelColumn& column, Pixel haze) {
     }
 }
 
-template <typename Put>
-void fillPlaneAs(Pixel* column, int first, int last, const PlaneTexels& texels, PlaneShade kind) {
-    const auto fill = [&](auto shade) {
-        // A single texel needs no position (and a shift by all 32 bits is undefined)
-        if (texels.level.bits == 0) {
-            fillOneTexel<Put>(column, first, last, texels.level.texels[0], shade);
-        } else {
-            fillPlaneRows<Put>(column, first, last, texels, shade);
-        }
-    };
-    const PlaneRows& rows = texels.rows;
-    switch (kind) {
-        case PlaneShade::full:
-            return fill(NoShade{});
-        case PlaneShade::dimmed:
-            return fill(RowShade<false>{rows.factors, nullptr, texels.haze});
-        case PlaneShade::foggy:
-            return fill(RowShade<true>{rows.factors, rows.fogs, texels.haze});
+template <typename ShadeRows>
+void fillPlaneAs(Pixel* column, int first, int last, const PlaneTexels& texels, ShadeRows shade) {
+    // A single texel needs no position (and a shift by all 32 bits is undefined)
+    if (texels.level.bits != 0) return fillPlaneRows(column, first, last, texels, shade);
+    for (int row = first; row < last; ++row) column[row] = shade.one(texels.level.texels[0], row);
+}
+
+// The same, laid over what is there. Rare where light is baked: not worth loops of its own.
+void layPlane(Pixel* column, int first, int last, const PlaneTexels& texels, PlaneShade shade) {
+    constexpr int kAtOnce = 64;
+    std::array<Pixel, kAtOnce> fetched;
+    const PlaneRows& all = texels.rows;
+    for (int from = first; from < last; from += kAtOnce) {
+        const int count = std::min(kAtOnce, last - from);
+        const PlaneRows rows = {all.inverseOffsets + from, all.factors + from,
+                                all.fogs != nullptr ? all.fogs + from : nullptr};
+        fillPlaneAs(fetched.data(), 0, count, {texels.level, texels.line, rows, texels.haze},
+                    AsItIs{});
+        fillFetchedAs<Over>(column + from, 0, count, fetched.data(), rows, texels.haze, shade);
     }
 }
 
@@ -309,8 +312,18 @@ void fillSide(Pixel* out, int rows, const TexelColumn& column, Pixel haze, Lay l
 
 void fillPlane(Pixel* column, int first, int last, const PlaneTexels& texels, PlaneShade shade,
                Lay lay) {
-    (lay == Lay::opaque ? fillPlaneAs<Opaque> : fillPlaneAs<Over>)(column, first, last, texels,
-                                                                   shade);
+    if (lay == Lay::over) return layPlane(column, first, last, texels, shade);
+    const PlaneRows& rows = texels.rows;
+    switch (shade) {
+        case PlaneShade::full:
+            return fillPlaneAs(column, first, last, texels, NoShade{});
+        case PlaneShade::dimmed:
+            return fillPlaneAs(column, first, last, texels,
+                               RowShade<false>{rows.factors, nullptr, texels.haze});
+        case PlaneShade::foggy:
+            return fillPlaneAs(column, first, last, texels,
+                               RowShade<true>{rows.factors, rows.fogs, texels.haze});
+    }
 }
 
 void fillFetched(Pixel* column, int first, int last, const Pixel* texels, const PlaneRows& rows,
