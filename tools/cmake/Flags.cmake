@@ -86,11 +86,6 @@ if(NOT SLICECAST_LIBRARY_ONLY)
   target_compile_options(slicecast_strict INTERFACE -Wconversion -Wno-sign-conversion)
 endif()
 
-# For tests that are compiled for longer than they run; what they test keeps its own level. To be
-# linked last: the last level counts.
-add_library(slicecast_quickly INTERFACE)
-target_compile_options(slicecast_quickly INTERFACE -Og)
-
 # For parts that run once: smaller code lets the page load sooner.
 add_library(slicecast_small INTERFACE)
 if(EMSCRIPTEN)
