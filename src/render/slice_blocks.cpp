@@ -202,11 +202,12 @@ void SliceWalk::takeUnderside(const Block& block, int firstRow, int lastRow) {
                 block.level);
 }
 
-// A roof or an underside. Rows that touch those of the last span are one run with it.
+// A roof or an underside. In a picture, rows that touch those of the last span are one run with it;
+// a trace tells each tile.
 void SliceWalk::addFace(What what, PlaneLook& look, int first, int last, const TileRange& tiles,
                         int level) {
     const bool isRoof = what == What::roof;
-    if (SpanList& spans = found_->spans; spans.count() > 0) {
+    if (SpanList& spans = found_->spans; cuts_ && spans.count() > 0) {
         Span& before = spans[spans.count() - 1];
         if (before.what == what && !before.layer && before.look == &look && before.part == part_ &&
             before.level == level && (isRoof ? before.first == last : before.last == first)) {

@@ -155,7 +155,7 @@ void SliceWalk::enterPortalTile() {
 
 void SliceWalk::mirror(std::int32_t rise, int first, int last, int strength, int ripples) {
     report_.mirroredRows += last - first;
-    if (!found_->mirrors.empty()) {
+    if (cuts_ && !found_->mirrors.empty()) {
         MirrorSpan& before = found_->mirrors.back();
         if (before.first == last && before.part == part_ && before.rise == rise &&
             before.strength == static_cast<std::uint32_t>(strength) && before.ripples == ripples) {
