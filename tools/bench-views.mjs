@@ -1,8 +1,7 @@
-// The views of tools/bench, and what is asked of each: a list of {name, title, scene,
-// isTour}. A `name` is
-// slicecast-bench's (tests/bench/views.h). Shipped scenes are listed by assets/scenes/index.json;
-// tests/bench/moments.json has the step at which the tour through a scene is slowest to draw, as
-// tools/bench --slowest has found it.
+// The views of tools/bench, and what is asked of each: a list of {name, title, scene, isTour}. A
+// `name` is slicecast-bench's (tests/bench/views.h). Shipped scenes are listed by
+// assets/scenes/index.json; tests/bench/moments.json has the step at which the tour through a scene
+// is slowest to draw, as tools/bench --slowest has found it.
 
 import { readFileSync } from 'node:fs';
 import { dirname, join } from 'node:path';

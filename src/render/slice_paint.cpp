@@ -49,10 +49,11 @@ void SlicePainter::paintOpaque(const ColumnSpans& column) {
     paintGathered(rising_);
 }
 
-// Paints layers from back to front.
+// Paints layers from back to front. Those of one plane that touch are painted at once; nearer rows
+// of a plane are farther from the horizon, so a run grows away from it.
 void SlicePainter::paintLayers(const ColumnSpans& column) {
     report_.layers += static_cast<std::int64_t>(column.layers);
-    PlaneRun run;  // of layers
+    PlaneRun run;
     const auto paintRun = [&] {
         if (run.first != run.last) paintPlane(run, Lay::over);
         run.first = run.last = -1;
@@ -60,24 +61,25 @@ void SlicePainter::paintLayers(const ColumnSpans& column) {
     for (const Span* span = column.spans.end(); span != column.spans.begin();) {
         --span;
         if (!span->layer) continue;
-        if (span->what != What::side && span->what != What::object && !span->look->plane.sloped) {
-            const bool falls = span->look->plane.rise < 0;
-            if ((falls ? run.last == span->first : run.first == span->last) &&
-                run.part == span->part && run.look == span->look) {
-                (falls ? run.last : run.first) = falls ? span->last : span->first;
-                run.tiles.fromX = span->tiles.fromX;
-                run.tiles.fromY = span->tiles.fromY;
-            } else {
-                paintRun();
-                run = runOf(*span);
-            }
+        if (span->what == What::side || span->what == What::object) {
+            paintRun();
+            paintTexels(*span, Lay::over);
             continue;
         }
-        paintRun();
-        if (span->what == What::side || span->what == What::object) {
-            paintTexels(*span, Lay::over);
-        } else {
+        if (span->look->plane.sloped) {
+            paintRun();
             paintSlope(*span, Lay::over);
+            continue;
+        }
+        const bool falls = span->look->plane.rise < 0;
+        if ((falls ? run.last == span->first : run.first == span->last) && run.part == span->part &&
+            run.look == span->look && run.level == span->level) {
+            (falls ? run.last : run.first) = falls ? span->last : span->first;
+            run.tiles.fromX = span->tiles.fromX;
+            run.tiles.fromY = span->tiles.fromY;
+        } else {
+            paintRun();
+            run = runOf(*span);
         }
     }
     paintRun();

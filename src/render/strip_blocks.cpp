@@ -24,16 +24,15 @@ bool StripWalk::findBlocks(std::uint32_t reached) {
     return true;
 }
 
-// Whether what is next to a see-through block may hide a face of it only as a whole, or down to a
-// level edge.
+// Whether all neighbours of a see-through block are without portals, and those beside it without
+// slopes: then a joined one hides a face as a whole, or up to a level edge.
 bool StripWalk::hasPlainNeighbours(const Block& block) const {
     const int x = tileX(v_);
     const int y = tileY(v_);
     const auto isPlain = [&](int dx, int dy, int up) {
         const CellBlueprint& next =
             frame_.world->blueprints[map_->cell(x + dx, y + dy, block.level + up)];
-        if (next.hasPortals || (any().hasTilePortals_ && map_->tilePortal(x + dx, y + dy)))
-            return false;
+        if (next.hasPortals || map_->tilePortal(x + dx, y + dy) != kNoPortal) return false;
         return up != 0 || next.isBox();
     };
     return isPlain(0, 0, 1) && isPlain(0, 0, -1) && isPlain(1, 0, 0) && isPlain(-1, 0, 0) &&

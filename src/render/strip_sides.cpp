@@ -42,10 +42,10 @@ void StripWalk::seeSide(const Block& block, Border at, Lanes first, Lanes last) 
     } groups[] = {
         {alongU, true, false}, {~alongU & upward, false, true}, {~alongU & ~upward, false, false}};
     for (const auto& [those, isU, up] : groups) {
-        const Lanes here = seen & those;
+        const Lanes some = seen & those;
         const Crossing border = borderOf(at, isU, up);
         const Face face = entering ? enteredFace(border) : leftFace(border);
-        if (bitsOf(here) == 0 || !any().isThere(block, face)) continue;
+        if (bitsOf(some) == 0 || !any().isThere(block, face)) continue;
         const int onward = (border.nearing ? 1 : -1) * (entering ? -1 : 1);
         const CellBlueprint& next =
             frame_.world
@@ -53,14 +53,14 @@ void StripWalk::seeSide(const Block& block, Border at, Lanes first, Lanes last) 
                                         tileY(v_) + (border.alongX ? 0 : onward), block.level)];
         const SliceWalk::Side side = any().sideOf(block, face, true);
         if (!areJoined(*frame_.world, *block.blueprint, next)) {
-            seeRows(here, side, at, first, last);
+            seeRows(some, side, at, first, last);
             continue;
         }
         const std::int32_t base = tileEdge(block.level).raw - any().eyeZ_;
         if (next.top < block.blueprint->top)
-            seeRows(here, side, at, first, lesser(last, rowsBelow(base + next.top.raw, at)));
+            seeRows(some, side, at, first, lesser(last, rowsBelow(base + next.top.raw, at)));
         if (next.bottom > block.blueprint->bottom)
-            seeRows(here, side, at, greater(first, rowsBelow(base + next.bottom.raw, at)), last);
+            seeRows(some, side, at, greater(first, rowsBelow(base + next.bottom.raw, at)), last);
     }
 }
 

@@ -62,6 +62,22 @@ TEST(SliceTraces, HitsBeginAndEndAtPlans) {
     EXPECT_TRUE(passed.hits.empty());
 }
 
+// Equal blocks in a row, seen from above: their roofs are one plane, whose rows touch.
+TEST(SliceTraces, EachTileOfARoofIsToldByItself) {
+    World world = emptyWorld(7, 5, 1, plain("floor", kWhite));
+    const BlueprintId low = addBlock(world, 0, {}, toCoordinate(0.25));
+    for (const int x : {2, 3, 4}) world.maps[0].setCell(x, 2, 0, low);
+    SliceStage stage(world, eyeAt(0.5, 2.5, 0.75, 0.0), 201, 200);
+    SliceTrace trace;
+    traceSlice(stage.frame(), stage.find(100), trace);
+    ASSERT_EQ(trace.hits.size(), 3u);
+    for (const Hit& hit : trace.hits) {
+        EXPECT_TRUE(std::any_of(hit.filled.begin(), hit.filled.end(), [](const FilledRows& rows) {
+            return rows.what == FilledRows::What::roof;
+        })) << hit.tileX;
+    }
+}
+
 // A ramp two units ahead that rises to the eye's height and beyond: its roof is seen on both sides
 // of the horizon.
 TEST(SliceTraces, SlopesAreSeenAcrossTheHorizon) {

@@ -261,7 +261,8 @@ export class SchemaForm {
       document.body.append(list);
     }
     const names = this.#names(what);
-    if (String(names) !== String([...list.options].map(({ value }) => value)))
+    const listed = [...list.options].map(({ value }) => value);
+    if (JSON.stringify(names) !== JSON.stringify(listed))
       list.replaceChildren(...names.map((name) => new Option(name)));
     return id;
   }
