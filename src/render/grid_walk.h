@@ -182,6 +182,11 @@ struct GridWalk {
     double nextAlongY() const { return y_.along; }
 
     bool hasEntered() const { return way_ != Way::none; }  // false in the eye's own tile
+    bool hasEnteredAlongX() const { return way_ == Way::alongX; }
+
+    // See Crossing; and which of two borders at one depth comes first.
+    bool isEarly(bool alongX) const { return alongX ? earlyX_ : earlyY_; }
+    bool tieIsAlongX() const { return tieAlongX_; }
 
     // The same walk in another tile, turned clockwise by quarter turns: directions change, the
     // depths of borders do not.

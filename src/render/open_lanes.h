@@ -36,6 +36,8 @@ public:
     unsigned live() const { return live_; }    // lanes with open rows
     int first() const { return leastFirst_; }  // of all lanes
     int last() const { return greatestLast_; }
+    int firstOf(int lane) const { return first_.at[lane]; }
+    int lastOf(int lane) const { return last_.at[lane]; }
     // Lanes in which rows at or below `row`, or above it, may be open.
     Lanes reachBelow(Lanes row) const { return row < last_.lanes(); }
     Lanes reachAbove(Lanes row) const { return first_.lanes() < row; }

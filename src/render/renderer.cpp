@@ -3,7 +3,6 @@
 #include "render/frame.h"
 #include "render/slice_paint.h"
 #include "render/slice_trace.h"
-#include "render/slice_walk.h"
 #include "render/strip.h"
 #include "render/strip_walk.h"
 
@@ -14,8 +13,6 @@ namespace slicecast {
 
 struct Renderer::Scratch {
     FrameMemory memory;
-    OpenRows open;
-    SliceSpans spans;
     StripScratch strips;
     std::vector<Pixel> reflected;
     Strip strip;
@@ -155,17 +152,17 @@ void Renderer::traceInto(const World& world, const Eye& eye, const RenderOptions
     const bool canTrace = canDraw(world, eye, options, width, height);
     Scratch& s = *scratch_;
     std::optional<Frame> frame;
-    std::optional<SliceWalk> walk;
+    std::optional<StripWalk> walk;
     FrameReport report;
     if (canTrace) {
         frame.emplace(world, eye, options, width, height, s.memory);
-        walk.emplace(*frame, s.open, report, SliceWalk::SeeThrough::whole);
+        walk.emplace(*frame, s.strips, report, StripWalk::SeeThrough::whole);
     }
     for (const int column : columns) {
         trace.clear();
         if (canTrace && column >= 0 && column < width) {
-            walk->find(column, s.spans, reflections);
-            traceSlice(*frame, s.spans, trace);
+            walk->find(column, 1, reflections);
+            traceSlice(*frame, s.strips.found[0], trace);
         }
         take(trace);
     }

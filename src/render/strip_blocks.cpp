@@ -1,156 +1,196 @@
-// The blocks of a tile, for all columns of a strip that pass it: which faces they meet, and in
-// which rows. See slice_blocks.cpp; here no column starts in the tile, so none begins inside a
-// block.
-#include "render/strip_walk.h"
+// The blocks of a tile: which faces the columns that pass it meet, and in which rows. Nearest
+// first: for each block the side that they enter, then its roof or underside, first from the eye's
+// height downwards, then upwards. The floor comes last, with its run.
+//
+//      rows
+//       |    .--------.  back
+//       |   /  roof  /|
+//       |  .--------. |
+//       |  |  side  | '
+//       v  '--------'  front
+//
+// The side of a block fills the rows between its top and bottom edge where columns enter the tile.
+// Its roof fills those up to where the top edge appears at the tile's far border; the underside is
+// alike. At depth 0 the eye may be inside a block, or on its roof. A face at depth 0 is not drawn:
+// the rays count as inside the block, and leave it again through another face.
+#include "render/strip_meet.h"
 
+#include <array>
 #include <bit>
+#include <cstddef>
 
 namespace slicecast {
+namespace {
 
-// Finds the blocks of the current tile, from below; false if the columns cannot meet one of them
-// together.
-bool StripWalk::findBlocks(std::uint32_t reached) {
-    const SliceWalk& any = this->any();
-    blocks_ = 0;
-    for (; reached != 0; reached &= reached - 1) {
-        Block block = any.blockAt(tileX(v_), tileY(v_), std::countr_zero(reached));
-        if (any.clipped_ && !any.cutToClip(block)) continue;
-        const CellBlueprint& look = *block.blueprint;
-        if (look.hasPortals || !look.plan.isWhole()) return false;
-        if (look.slopes.any() && (look.seeThrough || look.mover >= 0 || block.cut)) return false;
-        if (look.seeThrough && (look.mover >= 0 || !hasPlainNeighbours(block))) return false;
-        block_[blocks_++] = block;
+// The blocks of a stretch, from below.
+struct Blocks {
+    Blocks(const StripTile& tile, std::uint32_t levels) {
+        const PartView& view = tile.view;
+        for (; levels != 0; levels &= levels - 1) {
+            const Block block = view.blockAt(tile.tileX(), tile.tileY(), std::countr_zero(levels));
+            list[count] = block;
+            if (!view.clipped || view.cutToClip(list[count])) ++count;
+        }
     }
-    return true;
+
+    std::array<Block, kMaxLevels> list;
+    std::size_t count = 0;
+};
+
+bool isOpaque(const Block& block) {
+    return !(block.blueprint->seeThrough | block.blueprint->hasPortals | block.cut);
 }
 
-// Whether all neighbours of a see-through block are without portals, and those beside it without
-// slopes: then a joined one hides a face as a whole, or up to a level edge.
-bool StripWalk::hasPlainNeighbours(const Block& block) const {
-    const int x = tileX(v_);
-    const int y = tileY(v_);
-    const auto isPlain = [&](int dx, int dy, int up) {
-        const CellBlueprint& next =
-            frame_.world->blueprints[map_->cell(x + dx, y + dy, block.level + up)];
-        if (next.hasPortals || map_->tilePortal(x + dx, y + dy) != kNoPortal) return false;
-        return up != 0 || next.isBox();
-    };
-    return isPlain(0, 0, 1) && isPlain(0, 0, -1) && isPlain(1, 0, 0) && isPlain(-1, 0, 0) &&
-           isPlain(0, 1, 0) && isPlain(0, -1, 0);
+// The level of the next block if rays go on inside it, else kNoLevel.
+int insideOf(const StripTile& tile, const Block& block, int up) {
+    return !block.blueprint->seeThrough && goesOn(tile, block, up) ? block.level + up : kNoLevel;
 }
 
-void StripWalk::meet(unsigned bits, TextureId floor, TextureId ceiling) {
-    mask_ = maskOf(bits);
-    findPerRaw();
-    changeCover(floor, blocks_ > 0 ? kNoTexture : ceiling);
-    if (blocks_ == 0) return;
-    report_.blocksMet += static_cast<std::int64_t>(blocks_) * std::popcount(bits);
-    // The floor before the tile; it closes the rows below those of blocks on the floor
-    takeFloor(mask_, Border::enter);
-    meetFalling(ceiling);
-    meetRising(ceiling);
-    takeFloor(mask_, Border::leave);
+// For rays inside a block: they leave it downwards or through the far side. Returns the level of
+// the block below if that is a part of the same mover: then it has no roof, and rays enter it from
+// inside.
+int leaveDownwards(StripTile& tile, const Block& block, Lanes edgeRows) {
+    const Lanes horizon = inAllLanes(tile.view.projection->firstFallingRow);
+    const Lanes below = tile.rowsBelow(block.bottom, Border::leave);
+    leaveBottom(tile, block, greater(below, horizon), edgeRows);
+    leaveSide(tile, block, greater(tile.rowsBelow(block.top, Border::leave), horizon), below);
+    return insideOf(tile, block, -1);
 }
 
-void StripWalk::meetFalling(TextureId ceiling) {
-    const SliceWalk& any = this->any();
-    bool ceilingToCome = ceiling != kNoTexture && any.ceilingRise_ < 0;
+// Meets blocks that are not entirely above the eye, downwards.
+void meetFalling(StripTile& tile, const Blocks& blocks, TextureId ceiling) {
+    const PartView& view = tile.view;
+    bool ceilingToCome = ceiling != kNoTexture && view.ceilingRise < 0;
     const auto ceilingAbove = [&](std::int32_t height) {
-        if (ceilingToCome && any.ceilingRise_ > height) {
-            takeCeilingHere(ceiling);
+        if (ceilingToCome && view.ceilingRise > height) {
+            takeCeilingHere(tile, ceiling);
             ceilingToCome = false;
         }
     };
-    const Lanes horizon = inAllLanes(projection_->firstFallingRow);
+    // The lower edge of the block above; if it is this block's upper edge and that block is opaque,
+    // nothing sees this roof
     std::int32_t edge = kHighest;
-    Lanes edgeRows = mask_;
+    Lanes edgeRows = tile.mask;
     bool opaqueAbove = false;
-    for (std::size_t n = blocks_; n-- > 0;) {
-        const Block& block = block_[n];
-        if (!(any.levelsToEye_ >> block.level & 1) || block.bottom > 0) continue;
-        const bool isOpaque = !block.blueprint->seeThrough;
+    int inside = kNoLevel;  // see leaveDownwards
+    for (std::size_t n = blocks.count; n-- > 0;) {
+        Block block = blocks.list[n];
+        if (!(view.levelsToEye >> block.level & 1) || block.bottom > 0) continue;
+        const bool atEye = tile.isAtEye(block.level);
+        block.cut |= block.level == inside;
         if (block.blueprint->slopes.any()) {
             ceilingAbove(block.top);
-            const MetSlopes met = enterSlopes(block);
+            const MetSlopes met = enterSlopes(tile, block);
             ceilingAbove(block.top - 1);
-            passSlopes(block, met);
+            passSlopes(tile, block, met);
+            inside = insideOf(tile, block, -1);
             edge = kHighest;
             continue;
         }
-        const Lanes top = block.top == edge ? edgeRows : rowsBelow(block.top, Border::enter);
+        const Lanes top = block.top == edge ? edgeRows : tile.rowsBelow(block.top, Border::enter);
         const bool covered = block.top == edge && opaqueAbove;
         edge = block.bottom;
-        edgeRows = rowsBelow(edge, Border::enter);
-        opaqueAbove = isOpaque;
-        if (isOpaque) {
-            takeSide(block, top, edgeRows);
-        } else {
-            seeSide(block, Border::enter, top, edgeRows);
+        edgeRows = tile.rowsBelow(edge, Border::enter);
+        opaqueAbove = isOpaque(block);
+        if (!opaqueAbove || !atEye) enterSide(tile, block, top, edgeRows);
+        if (block.top < 0) {
+            ceilingAbove(block.top);
+            if (!covered && !block.cut && bitsOf(tile.mask & tile.open.reachAbove(top)) != 0)
+                enterTop(tile, block, tile.rowsBelow(block.top, Border::leave), top);
         }
-        ceilingAbove(block.top);
-        if (block.top < 0 && !covered && !block.cut && bitsOf(mask_ & open_.reachAbove(top)) != 0)
-            enterTop(block, rowsBelow(block.top, Border::leave), top);
-        if (isOpaque || block.bottom >= 0) continue;
-        ceilingAbove(block.bottom);
-        const Lanes below = rowsBelow(block.bottom, Border::leave);
-        seePlane(block, Face::bottom, greater(below, horizon), edgeRows);
-        seeSide(block, Border::leave, greater(rowsBelow(block.top, Border::leave), horizon), below);
+        // An eye exactly on a portal looks through it at once
+        if (block.top == 0 && tile.isFirst && actsAtTop(tile, block))
+            enterTop(tile, block, inAllLanes(view.projection->firstFallingRow),
+                     inAllLanes(view.projection->height));
+        if (block.bottom < 0 &&
+            (block.blueprint->seeThrough || block.cut || (atEye && block.top >= 0))) {
+            ceilingAbove(block.bottom);
+            inside = leaveDownwards(tile, block, edgeRows);
+        }
     }
     ceilingAbove(-kHighest);
 }
 
-void StripWalk::meetRising(TextureId ceiling) {
-    const SliceWalk& any = this->any();
-    bool ceilingToCome = ceiling != kNoTexture && any.ceilingRise_ > 0;
+// Meets blocks that are not entirely below the eye, upwards. The side of a block at the eye's
+// height is drawn with those below.
+void meetRising(StripTile& tile, const Blocks& blocks, TextureId ceiling) {
+    const PartView& view = tile.view;
+    bool ceilingToCome = ceiling != kNoTexture && view.ceilingRise > 0;
     const auto ceilingBelow = [&](std::int32_t height) {
-        if (ceilingToCome && any.ceilingRise_ < height) {
-            takeCeilingHere(ceiling);
+        if (ceilingToCome && view.ceilingRise < height) {
+            takeCeilingHere(tile, ceiling);
             ceilingToCome = false;
         }
     };
-    const Lanes horizon = inAllLanes(projection_->firstFallingRow);
     std::int32_t edge = -kHighest;
-    Lanes edgeRows = mask_;
+    Lanes edgeRows = tile.mask;
     bool opaqueBelow = false;
-    for (std::size_t n = 0; n < blocks_; ++n) {
-        const Block& block = block_[n];
-        const bool isOpaque = !block.blueprint->seeThrough;
+    int inside = kNoLevel;  // as in meetFalling
+    for (std::size_t n = 0; n < blocks.count; ++n) {
+        Block block = blocks.list[n];
+        if (view.levelsToEye >> 1 >> block.level & 1) continue;
+        const bool atEye = tile.isAtEye(block.level);
         const bool isAbove = block.bottom > 0;
-        if (!isAbove && (isOpaque || block.top <= 0)) continue;
+        block.cut |= block.level == inside;
         if (block.blueprint->slopes.any()) {
-            ceilingBelow(block.bottom);
-            const MetSlopes met = enterSlopes(block);
-            ceilingBelow(block.bottom + 1);
-            passSlopes(block, met);
+            if (isAbove) {  // else it was met as falling
+                ceilingBelow(block.bottom);
+                const MetSlopes met = enterSlopes(tile, block);
+                ceilingBelow(block.bottom + 1);
+                passSlopes(tile, block, met);
+            }
+            inside = insideOf(tile, block, 1);
             edge = -kHighest;
             continue;
         }
         const bool covered = block.bottom == edge && opaqueBelow;
-        Lanes bottom = mask_;
-        if (isAbove)
-            bottom = block.bottom == edge ? edgeRows : rowsBelow(block.bottom, Border::enter);
-        edge = block.top;
-        edgeRows = rowsBelow(edge, Border::enter);
-        opaqueBelow = isOpaque;
         if (isAbove) {
-            if (isOpaque) {
-                takeSide(block, edgeRows, bottom);
-            } else {
-                seeSide(block, Border::enter, edgeRows, bottom);
-            }
+            const Lanes bottom =
+                block.bottom == edge ? edgeRows : tile.rowsBelow(block.bottom, Border::enter);
+            edge = block.top;
+            edgeRows = tile.rowsBelow(edge, Border::enter);
+            opaqueBelow = isOpaque(block);
+            if (!opaqueBelow || !atEye) enterSide(tile, block, edgeRows, bottom);
             ceilingBelow(block.bottom);
-            if (!covered && !block.cut && bitsOf(mask_ & open_.reachBelow(bottom)) != 0)
-                enterBottom(block, bottom, rowsBelow(block.bottom, Border::leave));
+            if (!covered && !block.cut && bitsOf(tile.mask & tile.open.reachBelow(bottom)) != 0)
+                enterBottom(tile, block, bottom, tile.rowsBelow(block.bottom, Border::leave));
+            if (!block.blueprint->seeThrough && !block.cut) continue;
+        } else {
+            if (block.top <= 0 || !(block.blueprint->seeThrough || atEye)) continue;
+            edge = block.top;
+            edgeRows = tile.rowsBelow(edge, Border::enter);
+            opaqueBelow = false;
         }
-        if (isOpaque) continue;
         ceilingBelow(block.top);
         // A block at the eye's height shows what is below the horizon with those below
-        const Lanes end = isAbove ? inAllLanes(projection_->height) : horizon;
-        const Lanes below = rowsBelow(block.top, Border::leave);
-        seePlane(block, Face::top, edgeRows, lesser(below, end));
-        seeSide(block, Border::leave, below, lesser(rowsBelow(block.bottom, Border::leave), end));
+        const Lanes end =
+            inAllLanes(isAbove ? view.projection->height : view.projection->firstFallingRow);
+        const Lanes below = tile.rowsBelow(block.top, Border::leave);
+        leaveTop(tile, block, edgeRows, lesser(below, end));
+        leaveSide(tile, block, below, lesser(tile.rowsBelow(block.bottom, Border::leave), end));
+        inside = insideOf(tile, block, 1);
     }
     ceilingBelow(kHighest);
+}
+
+}  // namespace
+
+void meetStretch(StripTile& tile, std::uint32_t levels, TextureId floor, TextureId ceiling) {
+    const Blocks blocks(tile, levels);
+    const bool any = blocks.count > 0;
+    changeCover(tile, floor, any ? kNoTexture : ceiling);
+    if (any) {
+        tile.report.blocksMet +=
+            static_cast<std::int64_t>(blocks.count) * std::popcount(bitsOf(tile.mask));
+        // The floor before the tile; it closes the rows below those of blocks on the floor
+        takeFloor(tile, tile.mask, Border::enter);
+        meetFalling(tile, blocks, ceiling);
+        meetRising(tile, blocks, ceiling);
+    }
+    // An object or an edge follows: close everything before it, the ceiling before the floor
+    const bool isTileEnd = tile.stretch.leaves == End::border;
+    if (!isTileEnd) endCeiling(tile, tile.mask, Border::leave);
+    if (any || !isTileEnd) takeFloor(tile, tile.mask, Border::leave);
 }
 
 }  // namespace slicecast

@@ -1,105 +1,120 @@
-// Floor and ceiling, for all columns of a strip that pass a tile.
-#include "render/strip_walk.h"
-
-#include <span>
+// Floor and ceiling, which continue from tile to tile until they change.
+#include "render/strip_meet.h"
 
 namespace slicecast {
-
-// Where floor or ceiling changes, its run ends at the border: the ceiling's before the floor's.
-void StripWalk::changeCover(TextureId floor, TextureId ceiling) {
-    const Lanes otherFloor = mask_ & ~(floor_.lanes() == inAllLanes(floor));
-    const Lanes changed = otherFloor | (mask_ & ~(ceiling_.lanes() == inAllLanes(ceiling)));
-    if (bitsOf(changed) == 0) return;
-    coverChanged_ = true;
-    if (ceiling != kNoTexture || onlyCeiling_ != kNoTexture) {
-        const Lanes rows = rowsBelow(any().ceilingRise_, Border::enter);
-        takeCeiling(changed, rows, Border::enter);
-        startCeiling(changed, ceiling, rows);
-    }
-    if (bitsOf(otherFloor) == 0) return;
-    takeFloor(otherFloor, Border::enter);
-    floor_ = LaneValues(chosen(otherFloor, inAllLanes(floor), floor_.lanes()));
-}
-
-void StripWalk::takeFloor(Lanes mask, Border at) {
-    const bool entering = at == Border::enter;
-    const int height = projection_->height;
-    const Lanes rows =
-        greater(rowsBelow(any().floorRise_, at), inAllLanes(any().vista_->firstFloorRow));
-    for (const auto& [i, first, last] : open_.take(mask, rows, inAllLanes(height))) {
-        SliceWalk& walk = lane(i);
-        walk.floor_.texture = static_cast<TextureId>(floor_.at[i]);
-        walk.addFloor(first, last, rangeTo(i, at, floorFromU_.at[i], floorFromV_.at[i]));
-    }
-    const Lanes alongU = leftAlongU_;
-    const Lanes here = inAllLanes(v_);
-    const Lanes behind = here + stepsV_;
-    const Lanes nextU =
-        entering ? inAllLanes(u_) : chosen(alongU, inAllLanes(u_ + stepU_), inAllLanes(u_));
-    const Lanes nextV = entering ? here : chosen(alongU, here, behind);
-    floorFromU_ = LaneValues(chosen(mask, nextU, floorFromU_.lanes()));
-    floorFromV_ = LaneValues(chosen(mask, nextV, floorFromV_.lanes()));
-}
+namespace {
 
 // From a tile to the one before a border of the current one.
-TileRange StripWalk::rangeTo(int i, Border at, int fromU, int fromV) const {
-    int u = u_;
-    int v = v_;
-    if (at == Border::enter) {
-        if (bitsOf(enteredAlongU_) >> i & 1) {
-            u -= stepU_;
+TileRange rangeTo(const StripTile& tile, int lane, Border at, int fromU, int fromV) {
+    int u = tile.u;
+    int v = tile.v;
+    if (at == Border::enter && tile.stretch.enters == End::border) {
+        if (bitsOf(tile.enteredAlongU) >> lane & 1) {
+            u -= tile.rays.stepU;
         } else {
-            v -= stepV_[static_cast<std::size_t>(i)];
+            v -= tile.rays.stepV[indexOf(lane)];
         }
     }
-    return alongX_ ? TileRange{fromU, fromV, u, v, false} : TileRange{fromV, fromU, v, u, false};
+    return tile.rays.alongX ? TileRange{fromU, fromV, u, v, false}
+                            : TileRange{fromV, fromU, v, u, false};
 }
 
-void StripWalk::startCeiling(Lanes mask, TextureId texture, Lanes rows) {
-    ceiling_ = LaneValues(chosen(mask, inAllLanes(texture), ceiling_.lanes()));
-    ceilingRow_ = LaneValues(chosen(mask, rows, ceilingRow_.lanes()));
-    ceilingFromU_ = LaneValues(chosen(mask, inAllLanes(u_), ceilingFromU_.lanes()));
-    ceilingFromV_ = LaneValues(chosen(mask, inAllLanes(v_), ceilingFromV_.lanes()));
+void startCeiling(StripTile& tile, Lanes mask, TextureId texture, Lanes rows) {
+    StripCover& cover = tile.cover;
+    cover.ceiling = LaneValues(chosen(mask, inAllLanes(texture), cover.ceiling.lanes()));
+    cover.ceilingRow = LaneValues(chosen(mask, rows, cover.ceilingRow.lanes()));
+    cover.ceilingFromU = LaneValues(chosen(mask, inAllLanes(tile.u), cover.ceilingFromU.lanes()));
+    cover.ceilingFromV = LaneValues(chosen(mask, inAllLanes(tile.v), cover.ceilingFromV.lanes()));
 }
 
-// Ends the ceilings of some columns at a border; `rows` are the ceiling's rows there.
-void StripWalk::takeCeiling(Lanes mask, Lanes rows, Border at) {
-    const SliceWalk& any = this->any();
-    const Lanes there = mask & ~(ceiling_.lanes() == inAllLanes(kNoTexture));
-    unsigned bits = bitsOf(there);
-    if (bits == 0 || any.ceilingRise_ == 0) return;
-    const Lanes first = lesser(ceilingRow_.lanes(), rows);
-    const Lanes last = greater(ceilingRow_.lanes(), rows);
+// Closes the rows that have met the runs of ceiling of some columns up to a border; `rows` are the
+// ceiling's rows there. A ceiling at the eye's own height is invisible.
+__attribute__((noinline)) void takeCeiling(StripTile& tile, Lanes mask, Lanes rows, Border at) {
+    const PartView& view = tile.view;
+    const StripCover& cover = tile.cover;
+    const unsigned bits = bitsOf(mask & ~(cover.ceiling.lanes() == inAllLanes(kNoTexture)));
+    if (bits == 0 || view.ceilingRise == 0) return;
+    const Lanes first = lesser(cover.ceilingRow.lanes(), rows);
+    const Lanes last = greater(cover.ceilingRow.lanes(), rows);
     const auto planeOf = [&](int i) {
-        return Plane{any.ceilingRise_,
-                     static_cast<TextureId>(ceiling_.at[i]),
-                     map_->ceiling.light,
-                     map_->ceiling.glow,
+        return Plane{view.ceilingRise,
+                     static_cast<TextureId>(cover.ceiling.at[i]),
+                     view.map->ceiling.light,
+                     view.map->ceiling.glow,
                      true,
                      false};
     };
     const auto tilesOf = [&](int i) {
-        return rangeTo(i, at, ceilingFromU_.at[i], ceilingFromV_.at[i]);
+        return rangeTo(tile, i, at, cover.ceilingFromU.at[i], cover.ceilingFromV.at[i]);
     };
     unsigned layers = 0;
     eachLane(bits, [&](int i) {
-        if (!frame_.textures[static_cast<TextureId>(ceiling_.at[i])].seeThrough) return;
+        if (!view.frame.textures[static_cast<TextureId>(cover.ceiling.at[i])].seeThrough) return;
         layers |= 1u << i;
-        open_.write(i);
-        lane(i).seeThroughPlane(What::ceiling, planeOf(i), LaneValues(first).at[i],
-                                LaneValues(last).at[i], tilesOf(i));
+        tile.open.write(i);
+        tile.column(i).seeThroughPlane(SliceColumn::What::ceiling, planeOf(i),
+                                       LaneValues(first).at[i], LaneValues(last).at[i], tilesOf(i));
     });
-    for (const auto& [i, from, to] : open_.take(maskOf(bits & ~layers), first, last)) {
-        SliceWalk& walk = lane(i);
-        walk.addPlane(What::ceiling, walk.lookOf(planeOf(i)), from, to, tilesOf(i));
-    }
+    for (const auto& [i, from, to] : tile.open.take(maskOf(bits & ~layers), first, last))
+        tile.column(i).addPlane(SliceColumn::What::ceiling, view.lookOf(planeOf(i)), from, to,
+                                tilesOf(i));
 }
 
-void StripWalk::takeCeilingHere(TextureId texture) {
-    const std::int32_t rise = any().ceilingRise_;
-    startCeiling(mask_, texture, rowsBelow(rise, Border::enter));
-    takeCeiling(mask_, rowsBelow(rise, Border::leave), Border::leave);
-    ceiling_ = LaneValues(chosen(mask_, inAllLanes(kNoTexture), ceiling_.lanes()));
+}  // namespace
+
+// Where floor or ceiling changes, its run ends at the border: the ceiling's before the floor's.
+void changeCover(StripTile& tile, TextureId floor, TextureId ceiling) {
+    StripCover& cover = tile.cover;
+    const Lanes otherFloor = tile.mask & ~(cover.floor.lanes() == inAllLanes(floor));
+    const Lanes changed =
+        otherFloor | (tile.mask & ~(cover.ceiling.lanes() == inAllLanes(ceiling)));
+    if (bitsOf(changed) == 0) return;
+    cover.changed = true;
+    if (ceiling != kNoTexture || cover.onlyCeiling != kNoTexture) {
+        const Lanes rows = tile.rowsBelow(tile.view.ceilingRise, Border::enter);
+        takeCeiling(tile, changed, rows, Border::enter);
+        startCeiling(tile, changed, ceiling, rows);
+    }
+    if (bitsOf(otherFloor) == 0) return;
+    takeFloor(tile, otherFloor, Border::enter);
+    cover.floor = LaneValues(chosen(otherFloor, inAllLanes(floor), cover.floor.lanes()));
+}
+
+// Closes the rows that have met the floor before a border; the floor continues behind it. Leaves
+// rows beyond the map's `far` to the haze.
+__attribute__((noinline)) void takeFloor(StripTile& tile, Lanes mask, Border at) {
+    const PartView& view = tile.view;
+    StripCover& cover = tile.cover;
+    const Lanes rows =
+        greater(tile.rowsBelow(view.floorRise, at), inAllLanes(view.vista->firstFloorRow));
+    for (const auto& [i, first, last] :
+         tile.open.take(mask, rows, inAllLanes(view.projection->height)))
+        tile.column(i).addFloor(
+            static_cast<TextureId>(cover.floor.at[i]), first, last,
+            rangeTo(tile, i, at, cover.floorFromU.at[i], cover.floorFromV.at[i]));
+    Lanes nextU = inAllLanes(tile.u);
+    Lanes nextV = inAllLanes(tile.v);
+    if (at == Border::leave && tile.stretch.leaves == End::border) {
+        const Lanes alongU = tile.leftAlongU;
+        nextU = chosen(alongU, inAllLanes(tile.u + tile.rays.stepU), nextU);
+        nextV = chosen(alongU, nextV, nextV + tile.rays.stepsV);
+    }
+    cover.floorFromU = LaneValues(chosen(mask, nextU, cover.floorFromU.lanes()));
+    cover.floorFromV = LaneValues(chosen(mask, nextV, cover.floorFromV.lanes()));
+}
+
+void endCeiling(StripTile& tile, Lanes mask, Border at) {
+    StripCover& cover = tile.cover;
+    const Lanes there = mask & ~(cover.ceiling.lanes() == inAllLanes(kNoTexture));
+    if (bitsOf(there) == 0) return;
+    takeCeiling(tile, there, tile.rowsBelow(tile.view.ceilingRise, at), at);
+    cover.ceiling = LaneValues(chosen(there, inAllLanes(kNoTexture), cover.ceiling.lanes()));
+    cover.changed = true;
+}
+
+void takeCeilingHere(StripTile& tile, TextureId texture) {
+    startCeiling(tile, tile.mask, texture, tile.rowsBelow(tile.view.ceilingRise, Border::enter));
+    endCeiling(tile, tile.mask, Border::leave);
 }
 
 }  // namespace slicecast

@@ -1,63 +1,94 @@
-// Roofs and undersides, for all columns of a strip that pass a tile.
-#include "render/strip_walk.h"
+// Roofs and undersides.
+#include "render/strip_meet.h"
 
 namespace slicecast {
-
-void StripWalk::enterTop(const Block& block, Lanes first, Lanes last) {
-    const bool isMirror = any().mirrorStrength(block.blueprint->face(Face::top).mirror) > 0;
-    if (block.blueprint->seeThrough && !(isMirror && !joinsNext(block, 1)))
-        return seePlane(block, Face::top, first, last);
-    takePlane(block, Face::top, first, last);
-}
-
-void StripWalk::enterBottom(const Block& block, Lanes first, Lanes last) {
-    if (block.blueprint->seeThrough) return seePlane(block, Face::bottom, first, last);
-    takePlane(block, Face::bottom, first, last);
-}
-
-// See SliceWalk::joinsNext; here without movers and portals.
-bool StripWalk::joinsNext(const Block& block, int up) const {
-    const HeightClip& clip = any().clip_;
-    if (up > 0 ? block.top == clip.high : block.bottom == clip.low) return false;
-    const CellBlueprint& own = *block.blueprint;
-    if (!own.join || !(up > 0 ? own.fillsUp() : own.fillsDown())) return false;
-    const CellBlueprint& next =
-        frame_.world->blueprints[map_->cell(tileX(v_), tileY(v_), block.level + up)];
-    return areJoined(*frame_.world, own, next) && (up > 0 ? next.fillsDown() : next.fillsUp());
-}
+namespace {
 
 // Closes the rows of a roof or an underside.
-void StripWalk::takePlane(const Block& block, Face face, Lanes first, Lanes last) {
+__attribute__((noinline)) void takePlane(StripTile& tile, const Block& block, Face face,
+                                         Lanes first, Lanes last, bool fromInside = false) {
+    const PartView& view = tile.view;
     const bool isTop = face == Face::top;
     const FaceBlueprint& shown = block.blueprint->face(face);
-    const int strength = isTop ? any().mirrorStrength(shown.mirror) : 0;
+    const int strength = isTop && !fromInside ? view.mirrorStrength(shown.mirror) : 0;
     PlaneLook* look = nullptr;
-    for (const auto& [i, from, to] : open_.take(mask_, first, last)) {
-        SliceWalk& walk = lane(i);
+    for (const auto& [i, from, to] : tile.open.take(tile.mask, first, last)) {
+        SliceColumn& column = tile.column(i);
         if (look == nullptr) {
-            Plane plane = walk.planeOf(block, face);
+            Plane plane = view.planeOf(block, face);
             plane.mirror = strength > 0;
-            look = &walk.lookOf(plane);
+            look = &view.lookOf(plane);
         }
-        if (strength > 0) walk.mirror(block.top, from, to, strength, shown.ripples);
-        walk.addFace(isTop ? What::roof : What::underside, *look, from, to, here(), block.level);
+        if (strength > 0) column.mirror(block.top, from, to, strength, shown.ripples);
+        column.addFace(isTop ? SliceColumn::What::roof : SliceColumn::What::underside, *look, from,
+                       to, tile.here(), block.level);
     }
 }
 
 // Adds the layer of a roof or an underside.
-void StripWalk::seePlane(const Block& block, Face face, Lanes first, Lanes last) {
-    if (!any().isThere(block, face) || joinsNext(block, face == Face::top ? 1 : -1)) return;
-    const unsigned bits =
-        bitsOf(mask_ & (first < last) & open_.reachBelow(first) & open_.reachAbove(last));
+__attribute__((noinline)) void seePlane(StripTile& tile, const Block& block, Face face, Lanes first,
+                                        Lanes last, bool leaving) {
+    const bool isTop = face == Face::top;
+    const PartView& view = tile.view;
+    if (!view.isThere(block, face) || joinsNext(tile, block, isTop ? 1 : -1, leaving)) return;
+    const unsigned bits = bitsOf(tile.seen(first, last));
     if (bits == 0) return;
-    const Plane plane = any().planeOf(block, face);
+    const Plane plane = view.planeOf(block, face);
     const LaneValues from(first);
     const LaneValues to(last);
     eachLane(bits, [&](int i) {
-        open_.write(i);
-        lane(i).seeThroughPlane(face == Face::top ? What::roof : What::underside, plane, from.at[i],
-                                to.at[i], here(), block.level);
+        tile.open.write(i);
+        tile.column(i).seeThroughPlane(
+            isTop ? SliceColumn::What::roof : SliceColumn::What::underside, plane, from.at[i],
+            to.at[i], tile.here(), block.level);
     });
+}
+
+}  // namespace
+
+void enterTop(StripTile& tile, const Block& block, Lanes first, Lanes last) {
+    const FaceBlueprint& look = block.blueprint->face(Face::top);
+    if (actsAtTop(tile, block)) {
+        HeightClip below;
+        below.high = block.top;
+        sendThrough(tile, look.portal, tile.mask, first, last, below);
+    } else if (block.blueprint->seeThrough &&
+               (tile.view.mirrorStrength(look.mirror) == 0 || joinsNext(tile, block, 1, false))) {
+        seePlane(tile, block, Face::top, first, last, false);
+    } else {
+        takePlane(tile, block, Face::top, first, last);
+    }
+}
+
+void enterBottom(StripTile& tile, const Block& block, Lanes first, Lanes last) {
+    if (actsAtBottom(tile, block)) {
+        HeightClip above;
+        above.low = block.bottom;
+        sendThrough(tile, block.blueprint->face(Face::bottom).portal, tile.mask, first, last,
+                    above);
+    } else if (block.blueprint->seeThrough) {
+        seePlane(tile, block, Face::bottom, first, last, false);
+    } else {
+        takePlane(tile, block, Face::bottom, first, last);
+    }
+}
+
+void leaveTop(StripTile& tile, const Block& block, Lanes first, Lanes last) {
+    if (block.blueprint->face(Face::top).portal != kNoPortal) return;
+    if (block.blueprint->seeThrough) {
+        seePlane(tile, block, Face::top, first, last, true);
+    } else if (!goesOn(tile, block, 1)) {
+        takePlane(tile, block, Face::top, first, last, true);
+    }
+}
+
+void leaveBottom(StripTile& tile, const Block& block, Lanes first, Lanes last) {
+    if (block.blueprint->face(Face::bottom).portal != kNoPortal) return;
+    if (block.blueprint->seeThrough) {
+        seePlane(tile, block, Face::bottom, first, last, true);
+    } else if (!goesOn(tile, block, -1)) {
+        takePlane(tile, block, Face::bottom, first, last, true);
+    }
 }
 
 }  // namespace slicecast

@@ -1,112 +1,146 @@
-// The sides of blocks, for all columns of a strip that pass a tile.
-#include "render/strip_walk.h"
-
-#include <span>
+// The sides of blocks.
+#include "render/strip_meet.h"
 
 namespace slicecast {
+namespace {
 
-// How columns that enter or leave the tile along one axis cross its border. On the eye's own row of
-// tiles they may leave along v to either side.
-Crossing StripWalk::borderOf(Border at, bool alongU, bool up) const {
-    const bool nearing = alongU ? stepU_ > 0 : at == Border::enter ? v_ > eyeV_ : up;
-    return {.alongX = alongU == alongX_, .nearing = nearing};
-}
-
-void StripWalk::takeSide(const Block& block, Lanes first, Lanes last) {
-    const std::span<const LaneRows> taken = open_.take(mask_, first, last);
+// Closes the rows of a side of columns that cross a border alike.
+__attribute__((noinline)) void takeSide(StripTile& tile, Lanes lanes, const Block& block, Face face,
+                                        Border at, Lanes first, Lanes last) {
+    const std::span<const LaneRows> taken = tile.open.take(lanes, first, last);
     if (taken.empty()) return;
-    const SideViews& views = viewsAt(Border::enter);
-    const unsigned alongU = bitsOf(enteredAlongU_);
-    const auto sideAlong = [&](bool isU) {
-        return any().sideOf(block, enteredFace(borderOf(Border::enter, isU, false)), false);
-    };
-    const SliceWalk::Side sides[] = {sideAlong(false), sideAlong(true)};
-    for (const auto& [i, from, to] : taken) {
-        lane(i).here_ = here();
-        lane(i).addSide(sides[alongU >> i & 1], views[indexOf(i)], from, to);
-    }
+    const StripTile::SideViews& views = tile.viewsAt(at);
+    const BlockSide side = sideOf(tile.view, block, face, tile.here(), false);
+    for (const auto& [i, from, to] : taken)
+        tile.column(i).addSide(side, views[indexOf(i)], from, to);
 }
 
-// Adds layers of the sides by which columns enter or leave a see-through block, except where they
-// touch a joined block.
-void StripWalk::seeSide(const Block& block, Border at, Lanes first, Lanes last) {
-    const Lanes seen = mask_ & (first < last) & open_.reachBelow(first) & open_.reachAbove(last);
-    if (bitsOf(seen) == 0) return;
-    const bool entering = at == Border::enter;
-    const Lanes alongU = entering ? enteredAlongU_ : leftAlongU_;
-    const Lanes upward = inAllLanes(0) < stepsV_;
-    const struct {
-        Lanes those;
-        bool isU;
-        bool up;
-    } groups[] = {
-        {alongU, true, false}, {~alongU & upward, false, true}, {~alongU & ~upward, false, false}};
-    for (const auto& [those, isU, up] : groups) {
-        const Lanes some = seen & those;
-        const Crossing border = borderOf(at, isU, up);
-        const Face face = entering ? enteredFace(border) : leftFace(border);
-        if (bitsOf(some) == 0 || !any().isThere(block, face)) continue;
-        const int onward = (border.nearing ? 1 : -1) * (entering ? -1 : 1);
-        const CellBlueprint& next =
-            frame_.world
-                ->blueprints[map_->cell(tileX(v_) + (border.alongX ? onward : 0),
-                                        tileY(v_) + (border.alongX ? 0 : onward), block.level)];
-        const SliceWalk::Side side = any().sideOf(block, face, true);
-        if (!areJoined(*frame_.world, *block.blueprint, next)) {
-            seeRows(some, side, at, first, last);
-            continue;
-        }
-        const std::int32_t base = tileEdge(block.level).raw - any().eyeZ_;
-        if (next.top < block.blueprint->top)
-            seeRows(some, side, at, first, lesser(last, rowsBelow(base + next.top.raw, at)));
-        if (next.bottom > block.blueprint->bottom)
-            seeRows(some, side, at, greater(first, rowsBelow(base + next.bottom.raw, at)), last);
-    }
-}
-
-void StripWalk::seeRows(Lanes mask, const SliceWalk::Side& side, Border at, Lanes first,
-                        Lanes last) {
-    const unsigned bits = bitsOf(mask & (first < last));
+__attribute__((noinline)) void seeRows(StripTile& tile, Lanes lanes, const BlockSide& side,
+                                       Border at, Lanes first, Lanes last) {
+    const unsigned bits = bitsOf(lanes & (first < last));
     if (bits == 0) return;
-    const SideViews& views = viewsAt(at);
+    const StripTile::SideViews& views = tile.viewsAt(at);
     const LaneValues from(first);
     const LaneValues to(last);
     eachLane(bits, [&](int i) {
-        open_.write(i);
-        lane(i).here_ = here();
-        lane(i).seeThroughSide(side, views[indexOf(i)], from.at[i], to.at[i]);
+        tile.open.write(i);
+        tile.column(i).seeThroughSide(side, views[indexOf(i)], from.at[i], to.at[i]);
         // Opaque texels have closed rows
-        open_.read(i);
+        tile.open.read(i);
     });
 }
 
-// The same as SliceWalk::sideView.
-const StripWalk::SideViews& StripWalk::viewsAt(Border at) {
+// Adds layers of a side by which columns enter or leave a see-through block, except where it
+// touches a joined block.
+void seeUnjoined(StripTile& tile, const CrossingLanes& crossing, const Block& block,
+                 const CellBlueprint* joined, Lanes touching, Border at, Lanes first, Lanes last) {
+    const CellBlueprint& own = *block.blueprint;
     const bool entering = at == Border::enter;
-    SideViews& views = entering ? enteredViews_ : leftViews_;
-    bool& known = entering ? enteredViewsKnown_ : leftViewsKnown_;
-    if (known) return views;
-    known = true;
-    const Lighting& lighting = any().vista_->lighting;
-    const LaneValues alongU(entering ? enteredAlongU_ : leftAlongU_);
-    const double baseV = fractionV_ + (eyeV_ - v_);
-    const double baseU = fractionU_ + (eyeU_ - u_);
-    eachLane(bitsOf(mask_), [&](int lane) {
-        const auto i = static_cast<std::size_t>(lane);
-        const bool isU = alongU.at[i] != 0;
-        const double leftV =
-            stepV_[i] > 0 ? v_ + 1 - eyeV_ - fractionV_ : fractionV_ + (eyeV_ - v_);
-        const double distance = isU ? (entering ? near_ : far_) : entering ? enteredV_ : leftV;
-        const double speed = isU ? speedU_[i] : speedV_[i];
-        const double across = isU ? rayV_[i] : speedU_[i] * stepU_;
-        SliceWalk::SideView& view = views[i];
-        view.along = distance / speed;
-        view.fraction = SliceWalk::fractionBits((isU ? baseV : baseU) + across * distance / speed);
-        view.depth = view.along * projection_->distance;
-        view.brightness = lighting.brightnessAt(view.depth);
-        view.fog = lighting.fogAt(view.depth);
-    });
-    return views;
+    const Face face = entering ? enteredFace(crossing.crossing()) : leftFace(crossing.crossing());
+    const BlockSide side = sideOf(tile.view, block, face, tile.here(), true);
+    if (joined == nullptr) return seeRows(tile, crossing.lanes, side, at, first, last);
+    seeRows(tile, crossing.lanes & ~touching, side, at, first, last);
+    if (joined->slopes.any() || own.slopes.any()) {
+        const int onward = tile.at(at) != End::border ? 0 : crossing.nearing == !entering ? 1 : -1;
+        const int x = tile.tileX() + (crossing.alongX ? onward : 0);
+        const int y = tile.tileY() + (crossing.alongX ? 0 : onward);
+        const Lanes top = rowsOfFace(tile, *joined, Face::top, x, y, block.level, at);
+        const Lanes bottom = rowsOfFace(tile, *joined, Face::bottom, x, y, block.level, at);
+        const Lanes isHidden = top < bottom;
+        seeRows(tile, touching & ~isHidden, side, at, first, last);
+        seeRows(tile, touching & isHidden, side, at, first, lesser(last, top));
+        return seeRows(tile, touching & isHidden, side, at, greater(first, bottom), last);
+    }
+    const std::int32_t base = tile.view.baseOf(block.level);
+    if (joined->top < own.top)
+        seeRows(tile, touching, side, at, first,
+                lesser(last, tile.rowsBelow(base + joined->top.raw, at)));
+    if (joined->bottom > own.bottom)
+        seeRows(tile, touching, side, at,
+                greater(first, tile.rowsBelow(base + joined->bottom.raw, at)), last);
+}
+
+void enterThroughSide(StripTile& tile, const CrossingLanes& crossing, const Block& block,
+                      Lanes first, Lanes last) {
+    Lanes touching = crossing.lanes;
+    const CellBlueprint* const joined = joinedBefore(tile, block, crossing, touching);
+    seeUnjoined(tile, crossing, block, joined, touching, Border::enter, first, last);
+}
+
+// Behind the side there may be a portal of the whole tile, or of a block's face, which may be
+// smaller than the side.
+void leaveThroughSide(StripTile& tile, const CrossingLanes& crossing, const Block& block,
+                      Lanes first, Lanes last) {
+    const PartView& view = tile.view;
+    const World& world = *view.frame.world;
+    Lanes touching = crossing.lanes;
+    const auto see = [&](const CellBlueprint* joined, Lanes from, Lanes to) {
+        seeUnjoined(tile, crossing, block, joined, touching, Border::leave, from, to);
+    };
+    if (tile.stretch.leaves == End::edge) return see(nullptr, first, last);
+    const int onward = crossing.nearing ? 1 : -1;
+    const int dx = crossing.alongX ? onward : 0;
+    const int dy = crossing.alongX ? 0 : onward;
+    const bool mayPass = view.portals < world.portalLimit;
+    if (const PortalId portal = view.map->tilePortal(tile.tileX() + dx, tile.tileY() + dy);
+        portal != kNoPortal)
+        return see(mayPass ? joinedBeyond(tile, block, world.portals[portal]) : nullptr, first,
+                   last);
+    const CellBlueprint& behind = tile.blockNear(dx, dy, block.level);
+    const PortalId portal = behind.face(enteredFace(crossing.crossing())).portal;
+    if (portal == kNoPortal || !mayPass) {
+        const CellBlueprint* const joined =
+            joinedNear(tile, block, crossing, Border::leave, touching);
+        return see(joined, first, last);
+    }
+    const CellBlueprint* const joined = joinedBeyond(tile, block, world.portals[portal]);
+    if (joined == nullptr) return see(nullptr, first, last);
+    const std::int32_t base = view.baseOf(block.level);
+    const Lanes top = tile.rowsBelow(base + behind.top.raw, Border::leave);
+    const Lanes bottom = tile.rowsBelow(base + behind.bottom.raw, Border::leave);
+    see(nullptr, first, lesser(last, top));
+    see(joined, greater(first, top), lesser(last, bottom));
+    see(nullptr, greater(first, bottom), last);
+}
+
+}  // namespace
+
+void enterSide(StripTile& tile, const Block& block, Lanes first, Lanes last) {
+    if (!tile.entersAt(block.level)) return;
+    const Lanes seen = tile.seen(first, last);
+    if (bitsOf(seen) == 0) return;
+    for (CrossingLanes crossing : tile.crossings(Border::enter)) {
+        crossing.lanes = crossing.lanes & seen;
+        if (bitsOf(crossing.lanes) == 0) continue;
+        const Face face = enteredFace(crossing.crossing());
+        const PortalId portal = block.blueprint->face(face).portal;
+        if (tile.view.acts(portal, tile.isArrival())) {
+            sendThrough(tile, portal, crossing.lanes, first, last, {});
+        } else if (!tile.stretch.entersAhead) {
+            continue;
+        } else if (!block.blueprint->seeThrough) {
+            takeSide(tile, crossing.lanes, block, face, Border::enter, first, last);
+        } else if (tile.view.isThere(block, face)) {
+            enterThroughSide(tile, crossing, block, first, last);
+        }
+    }
+}
+
+void leaveSide(StripTile& tile, const Block& block, Lanes first, Lanes last) {
+    if (!tile.leavesAt(block.level) || !tile.stretch.leavesAhead) return;
+    const Lanes seen = tile.seen(first, last);
+    if (bitsOf(seen) == 0) return;
+    for (CrossingLanes crossing : tile.crossings(Border::leave)) {
+        crossing.lanes = crossing.lanes & seen;
+        if (bitsOf(crossing.lanes) == 0) continue;
+        const Face face = leftFace(crossing.crossing());
+        if (block.blueprint->face(face).portal != kNoPortal) continue;
+        if (!block.blueprint->seeThrough) {
+            takeSide(tile, crossing.lanes, block, face, Border::leave, first, last);
+        } else if (tile.view.isThere(block, face)) {
+            leaveThroughSide(tile, crossing, block, first, last);
+        }
+    }
 }
 
 }  // namespace slicecast

@@ -13,24 +13,28 @@ constexpr double kNearBorder = 1e-7;
 
 }  // namespace
 
-// Finds the tiles in which the columns leave the slab. The inner columns are between the two outer
-// ones.
+// Finds the tiles in which the columns leave the slab; those before and behind the grid count as
+// one. The inner columns are between the two outer ones.
 void StripWalk::findFarTiles() {
     constexpr int kLast = kLanes - 1;
-    const auto at = [&](int i) { return fractionV_ + far_ * slope_[indexOf(i)]; };
+    const auto at = [&](int i) { return rays_.fractionV + tile_.far * rays_.slope[indexOf(i)]; };
     const auto isClear = [](double v) { return std::fabs(v - std::floor(v + 0.5)) > kNearBorder; };
+    const auto inGrid = [&](double v) {
+        return inLane(static_cast<int>(
+            std::clamp<double>(rays_.eyeV + v, -1.0, static_cast<double>(rays_.sizeV))));
+    };
     const double first = at(0);
     const double last = at(kLast);
+    const bool isFirst = tile_.u == startU_;
     if (isClear(first) && isClear(last) && std::floor(first) == std::floor(last)) {
-        farV_ = LaneValues(inAllLanes(eyeV_ + static_cast<int>(std::floor(first))));
-        isWhole_ = nearV_.at[0] == farV_.at[0] && nearV_.at[kLast] == farV_.at[0];
+        farV_ = LaneValues(inAllLanes(inGrid(std::floor(first))));
+        tile_.isWhole = !isFirst && nearV_.at[0] == farV_.at[0] && nearV_.at[kLast] == farV_.at[0];
         return;
     }
-    isWhole_ = false;
+    tile_.isWhole = false;
     for (int i = 0; i < kLanes; ++i) {
         const double v = at(i);
-        farV_.at[i] =
-            inLane(eyeV_ + (isClear(v) ? static_cast<int>(std::floor(v)) : farTile(i, v)));
+        farV_.at[i] = inGrid(isClear(v) ? std::floor(v) : farTile(i, v));
     }
 }
 
@@ -39,12 +43,12 @@ void StripWalk::findFarTiles() {
 // eye's tile.
 int StripWalk::farTile(int lane, double v) const {
     const auto border = static_cast<int>(std::floor(v + 0.5));
-    const int step = stepV_[indexOf(lane)];
+    const int step = rays_.stepV[indexOf(lane)];
     if (step == 0 || (step > 0 ? border < 1 : border > 0)) return 0;
-    const double distance = step > 0 ? border - fractionV_ : fractionV_ - border;
-    const double along = distance / speedV_[indexOf(lane)];
-    const double alongU = far_ / speedU_[indexOf(lane)];
-    const bool isFirstOfTwo = alongX_ ? stepU_ < 0 : step > 0;
+    const double distance = step > 0 ? border - rays_.fractionV : rays_.fractionV - border;
+    const double along = distance / rays_.speedV[indexOf(lane)];
+    const double alongU = tile_.far / rays_.speedU[indexOf(lane)];
+    const bool isFirstOfTwo = columns_[indexOf(lane)].walk.tieIsAlongX() != rays_.alongX;
     const bool isCrossed = along < alongU || (along == alongU && isFirstOfTwo);
     return step > 0 ? border - !isCrossed : border - isCrossed;
 }
@@ -53,27 +57,33 @@ int StripWalk::farTile(int lane, double v) const {
 // ends at the edge of the map, at the next object, or where the rays must stop. It also ends where
 // one of the two outer columns leaves the open land around the middle.
 bool StripWalk::passOpenLand() {
-    if (map_->openLand.empty() || onlyFloor_ != map_->floor.texture || onlyCeiling_ != kNoTexture)
+    const Map& map = *view_.map;
+    if (map.openLand.empty() || tile_.cover.onlyFloor != map.floor.texture ||
+        tile_.cover.onlyCeiling != kNoTexture || tile_.u < 0 || tile_.u >= rays_.sizeU)
         return false;
     const unsigned live = open_.live();
     const int outer[] = {__builtin_ctz(live), 31 - __builtin_clz(live)};
     const int v = (nearV_.at[outer[0]] + nearV_.at[outer[1]]) / 2;
-    const int open = map_->openLand[map_->tileIndex(tileX(v), tileY(v))];
-    double slabs = stepU_ > 0 ? sizeU_ - 1 - u_ : u_;
-    slabs = std::min({slabs, nextObject_ / alongPerUMost_ - far_,
-                      any().whereToStop(open_.first(), open_.last()) / alongPerU_ - far_});
+    if (v < 0 || v >= rays_.sizeV) return false;
+    const int open =
+        map.openLand[rays_.alongX ? map.tileIndex(tile_.u, v) : map.tileIndex(v, tile_.u)];
+    double slabs = rays_.stepU > 0 ? rays_.sizeU - 1 - tile_.u : tile_.u;
+    slabs =
+        std::min({slabs, nextObject_ / rays_.alongPerUMost - tile_.far,
+                  view_.whereToStop(open_.first(), open_.last()) / rays_.alongPerU - tile_.far});
     for (const int i : outer) {
-        const int toEdge = slope_[indexOf(i)] > 0.0 ? sizeV_ - 1 - nearV_.at[i] : nearV_.at[i];
+        const double slope = rays_.slope[indexOf(i)];
+        const int toEdge = slope > 0.0 ? rays_.sizeV - 1 - nearV_.at[i] : nearV_.at[i];
         const int aside = std::min(open - 1 - std::abs(nearV_.at[i] - v), toEdge) - 1;
-        slabs = std::min(slabs, aside / std::max(std::fabs(slope_[indexOf(i)]), 1.0));
+        slabs = std::min(slabs, aside / std::max(std::fabs(slope), 1.0));
     }
     if (slabs < 2.0) return false;
     const int passed = static_cast<int>(slabs);
-    u_ += passed * stepU_;
-    far_ += passed - 1;
+    tile_.u += passed * rays_.stepU;
+    tile_.far += passed - 1;
     findFarTiles();
-    near_ = far_;
-    far_ += 1.0;
+    tile_.near = tile_.far;
+    tile_.far += 1.0;
     nearV_ = farV_;
     return true;
 }

@@ -3,7 +3,6 @@
 
 #include "render/frame.h"
 #include "render/slice_paint.h"
-#include "render/slice_walk.h"
 #include "render/strip_walk.h"
 #include "world/world.h"
 
@@ -20,8 +19,8 @@ public:
         : eye_(eye), options_(options), frame_(world, eye_, options_, width, height, memory_) {}
 
     const SliceSpans& find(int column) {
-        SliceWalk(frame_, open_, report_, SliceWalk::SeeThrough::whole).find(column, spans_);
-        return spans_;
+        StripWalk(frame_, slice_, report_, StripWalk::SeeThrough::whole).find(column, 1);
+        return slice_.found[0];
     }
 
     // Of the columns [first, first + count), at most 16.
@@ -46,9 +45,8 @@ private:
     RenderOptions options_;
     FrameMemory memory_;
     Frame frame_;
-    OpenRows open_;
     FrameReport report_;
-    SliceSpans spans_;
+    StripScratch slice_;
     StripScratch strip_;
     std::vector<Pixel> reflected_;
 };
