@@ -118,7 +118,6 @@ public:
     int number = 0;  // of the picture's columns
     GroundDirection ray;
     GridWalk walk{{}, {}, {}};
-    PlanEdges edges;  // of the current tile
     OpenRows& open;
 
 private:

@@ -17,10 +17,10 @@ void StripWalk::meetStretches(unsigned bits, std::uint32_t plans, std::uint32_t 
             if (!endStretch(i)) left |= 1u << i;
         });
         for (unsigned rest = bits; rest != 0;) {
-            const Stretch& lead = divisions_[indexOf(__builtin_ctz(rest))].stretch;
+            const Stretch& lead = stretchesOf(__builtin_ctz(rest)).stretch;
             unsigned alike = 0;
             eachLane(rest, [&](int i) {
-                if (divisions_[indexOf(i)].stretch == lead) alike |= 1u << i;
+                if (stretchesOf(i).stretch == lead) alike |= 1u << i;
             });
             rest &= ~alike;
             tile_.enterStretch(alike, lead);
@@ -42,18 +42,18 @@ void StripWalk::beginStretches(unsigned bits, std::uint32_t plans) {
     eachLane(bits, [&](int i) {
         SliceColumn& column = columns_[indexOf(i)];
         tile_.place(i);
-        Division& division = divisions_[indexOf(i)];
+        ColumnStretches& way = stretchesOf(i);
         const Crossing enter = column.walk.enter();
         tile_.enters[indexOf(i)] = enter;
-        division.leave = column.walk.leave();
+        way.leave = column.walk.leave();
         if (enter.alongX == rays_.alongX) enteredAlongU |= 1u << i;
-        if (division.leave.alongX == rays_.alongX) leftAlongU |= 1u << i;
-        division.stretch = {};
-        division.stretch.enters = column.walk.hasEntered() ? End::border : End::nothing;
-        division.stretch.isAtEye = column.walk.entered == 0.0;
+        if (way.leave.alongX == rays_.alongX) leftAlongU |= 1u << i;
+        way.stretch = {};
+        way.stretch.enters = column.walk.hasEntered() ? End::border : End::nothing;
+        way.stretch.isAtEye = column.walk.entered == 0.0;
         if (hasObjects) {
-            if (column.objectsTo() < division.leave.along)
-                column.findObjects(column.walk.entered, division.leave.along);
+            if (column.objectsTo() < way.leave.along)
+                column.findObjects(column.walk.entered, way.leave.along);
             column.skipObjects(open_.firstOf(i), open_.lastOf(i));
         }
         findEdges(i, plans);
@@ -69,35 +69,35 @@ void StripWalk::beginStretches(unsigned bits, std::uint32_t plans) {
 // at its entry.
 void StripWalk::findEdges(int i, std::uint32_t plans) {
     SliceColumn& column = columns_[indexOf(i)];
-    Stretch& stretch = divisions_[indexOf(i)].stretch;
-    column.edges.clear();
+    ColumnStretches& way = stretchesOf(i);
+    way.edges.clear();
     const PlanWalk walk(column.walk, view_.vista->viewpoint, column.ray);
     for (; plans != 0; plans &= plans - 1) {
         const int level = std::countr_zero(plans);
         const std::uint32_t bit = std::uint32_t{1} << level;
         const PlanPassage passage =
             walk.passage(view_.blockAt(tile_.tileX(), tile_.tileY(), level).blueprint->plan);
-        if (!passage.isMet || passage.enter.inner) stretch.absent |= bit;
+        if (!passage.isMet || passage.enter.inner) way.stretch.absent |= bit;
         if (!passage.isMet) continue;
-        if (passage.enter.inner) column.edges.add(walk, passage.enter, bit, 0);
-        if (passage.leave.inner) column.edges.add(walk, passage.leave, 0, bit);
+        if (passage.enter.inner) way.edges.add(walk, passage.enter, bit, 0);
+        if (passage.leave.inner) way.edges.add(walk, passage.leave, 0, bit);
     }
-    divisions_[indexOf(i)].edge = column.edges.begin();
+    way.edge = way.edges.begin();
 }
 
 // Finds the end of a column's stretch; false if it is that of the tile. What an edge and an object
 // at one depth show comes in this order.
 bool StripWalk::endStretch(int i) {
     const SliceColumn& column = columns_[indexOf(i)];
-    Division& division = divisions_[indexOf(i)];
-    Stretch& stretch = division.stretch;
+    ColumnStretches& way = stretchesOf(i);
+    Stretch& stretch = way.stretch;
     const double objectAlong = column.nextObjectAlong();
-    const PlanEdge* const edge = division.edge;
+    const PlanEdge* const edge = way.edge;
     Crossing& leave = tile_.leaves[indexOf(i)];
     stretch.leaves = End::border;
     stretch.staying = 0;
-    leave = division.leave;
-    if (edge != column.edges.end() && edge->at.along <= objectAlong) {
+    leave = way.leave;
+    if (edge != way.edges.end() && edge->at.along <= objectAlong) {
         stretch.leaves = End::edge;
         stretch.staying = ~edge->leaves;
         leave = edge->at;
@@ -113,13 +113,13 @@ bool StripWalk::endStretch(int i) {
 // Begins the next stretch of a column behind an edge or an object; false if no row is open.
 bool StripWalk::goOnBehind(int i) {
     SliceColumn& column = columns_[indexOf(i)];
-    Division& division = divisions_[indexOf(i)];
-    Stretch& stretch = division.stretch;
+    ColumnStretches& way = stretchesOf(i);
+    Stretch& stretch = way.stretch;
     stretch.enters = stretch.leaves;
     stretch.within = ~stretch.absent;
     tile_.enters[indexOf(i)] = tile_.leaves[indexOf(i)];
     if (stretch.leaves == End::edge) {
-        const PlanEdge& edge = *division.edge++;
+        const PlanEdge& edge = *way.edge++;
         stretch.absent = (stretch.absent | edge.leaves) & ~edge.enters;
         stretch.within &= ~stretch.absent;
         if (edge.at.along > 0.0) stretch.late |= edge.enters;

@@ -3,7 +3,7 @@
 
 namespace slicecast {
 
-void StripTile::enter(unsigned bits) {
+__attribute__((noinline)) void StripTile::enter(unsigned bits) {
     mask = maskOf(bits);
     stretch = {};
     isDivided = isFirst = false;

@@ -11,6 +11,7 @@
 #include <cstddef>
 #include <cstdint>
 #include <span>
+#include <vector>
 
 namespace slicecast {
 
@@ -63,14 +64,17 @@ class StripTile {
 public:
     using SideViews = std::array<SideView, kLanes>;
     using Columns = std::array<SliceColumn, kLanes>;
+    using Ends = std::vector<Crossing>;  // by lane
 
     // All must outlive the tile.
     StripTile(const PartView& part, const StripRays& stripRays, Columns& stripColumns,
-              OpenLanes& openLanes, FrameReport& frameReport)
+              OpenLanes& openLanes, Ends& entered, Ends& left, FrameReport& frameReport)
         : view(part),
           rays(stripRays),
           columns(stripColumns),
           open(openLanes),
+          enters(entered),
+          leaves(left),
           report(frameReport) {}
 
     SliceColumn& column(int lane) { return columns[indexOf(lane)]; }
@@ -89,8 +93,6 @@ public:
     void place(int lane);
     // The same for a stretch: `enters` and `leaves` hold how they cross its ends.
     void enterStretch(unsigned bits, const Stretch& part);
-    std::array<Crossing, kLanes> enters;
-    std::array<Crossing, kLanes> leaves;
 
     bool isAtEye(int level) const { return stretch.isAtEye && (stretch.late >> level & 1) == 0; }
     bool entersAt(int level) const {
@@ -124,6 +126,8 @@ public:
     const StripRays& rays;
     Columns& columns;
     OpenLanes& open;
+    Ends& enters;  // see enterStretch()
+    Ends& leaves;
     FrameReport& report;
 
     // Of the slab

@@ -17,7 +17,7 @@ StripWalk::StripWalk(const Frame& frame, StripScratch& scratch, FrameReport& rep
       view_(frame, seeThrough == SeeThrough::cut),
       open_(scratch.open),
       columns_{SliceColumn(view_, scratch.open.rows[index], report)...},
-      tile_(view_, rays_, columns_, open_, report) {}
+      tile_(view_, rays_, columns_, open_, scratch.enters, scratch.leaves, report) {}
 
 StripWalk::StripWalk(const Frame& frame, StripScratch& scratch, FrameReport& report,
                      SeeThrough seeThrough)

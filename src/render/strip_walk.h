@@ -25,13 +25,25 @@
 #include <cstddef>
 #include <cstdint>
 #include <utility>
+#include <vector>
 
 namespace slicecast {
+
+// The stretches of a column in a divided tile.
+struct ColumnStretches {
+    Stretch stretch;  // the present one
+    PlanEdges edges;
+    const PlanEdge* edge = nullptr;  // the next one
+    Crossing leave;                  // how the tile is left
+};
 
 // Memory kept from strip to strip and from frame to frame.
 struct StripScratch {
     OpenLanes::Scratch open;
     std::array<SliceSpans, kLanes> found;
+    StripTile::Ends enters = StripTile::Ends(kLanes);
+    StripTile::Ends leaves = StripTile::Ends(kLanes);
+    std::vector<ColumnStretches> stretches = std::vector<ColumnStretches>(kLanes);
 };
 
 class StripWalk {
@@ -87,6 +99,7 @@ private:
     bool endStretch(int lane);
     bool goOnBehind(int lane);
 
+    ColumnStretches& stretchesOf(int lane) { return scratch_.stretches[indexOf(lane)]; }
     bool isFirstTile(int v) const { return tile_.u == startU_ && v == startV_; }
 
     const Frame& frame_;
@@ -112,14 +125,6 @@ private:
     LaneValues nearV_;  // the tiles in which columns enter and leave it
     LaneValues farV_;
     bool slabIsOpen_ = false;  // nothing was met in this slab so far, nor in the last one
-
-    // Of a divided tile, by column
-    struct Division {
-        Stretch stretch;
-        const PlanEdge* edge = nullptr;  // the next one
-        Crossing leave;                  // how the tile is left
-    };
-    std::array<Division, kLanes> divisions_;
 };
 
 }  // namespace slicecast
