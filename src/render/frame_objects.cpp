@@ -141,7 +141,7 @@ void FrameObjects::findSeen(int first, int end, double from, double to) {
         if (depth <= 0.0 || depth < from || depth >= to) continue;
         const double width = object.width.value();
         const double left = right_.x * dx + right_.y * dy - width / 2.0;
-        if (end - first == 1) {  // as SliceWalk::across finds it
+        if (end - first == 1) {  // as ObjectCursor::across finds it
             const double share = (projection_->sidewaysSlope(first) * depth - left) / width;
             if (!(share >= 0.0 && share < 1.0)) continue;
         } else if (columnOf(*projection_, left, depth) > end + 1.0 ||

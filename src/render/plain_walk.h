@@ -1,5 +1,5 @@
 // The walk of one screen column over the grid in its simplest form. It finds the same as
-// `SliceWalk` without any optimisation: read this one first. A test compares the two.
+// `StripWalk` without any optimisation: read this one first. A test compares the two.
 //
 // A column has a ray for each of its rows. Seen from the side, these rays pass a tile like this:
 //

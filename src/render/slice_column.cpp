@@ -5,7 +5,7 @@
 namespace slicecast {
 
 SliceColumn::SliceColumn(const PartView& view, OpenRows& rows, FrameReport& report)
-    : open(rows), view_(view), report_(report) {}
+    : objects(view), open(rows), view_(view), report_(report) {}
 
 void SliceColumn::begin(int at, SliceSpans& found) {
     number = at;
@@ -49,15 +49,7 @@ void SliceColumn::beginPart(double nearest) {
     floorSpan_ = kNone;
     report_.deepestPortal = std::max(report_.deepestPortal, part.portals);
     if (part.portals > 0) ++report_.partsBehindPortals;
-    objects_ = nullptr;
-    object_ = 0;
-    objectsTo_ = kNever;
-    metDepth_ = 0.0;
-    metIndex_ = -1;
-    if (view_.vista->objects.none()) return;
-    // Before a column that begins nearer, a list that others share would begin anew
-    findObjects(nearest, walk.entered);
-    while (hasObject() && object().along < walk.entered) ++object_;
+    objects.begin(number, nearest, walk.entered);
 }
 
 bool SliceColumn::endPart() {
@@ -85,13 +77,13 @@ void SliceColumn::endBeyond(TextureId floor, const TileRange& tiles) {
 // Meets objects where there is only the floor.
 void SliceColumn::meetObjectsBefore(double along, TextureId floor, const TileRange& tiles) {
     for (;;) {
-        skipObjects(open.first(), open.last());
-        if (open.none() || !(nextObjectAlong() < along)) return;
-        if (!hasObject()) {
-            findObjects(objectsTo_, along);
+        objects.skip(open.first(), open.last());
+        if (open.none() || !(objects.nextAlong() < along)) return;
+        if (!objects.any()) {
+            objects.find(objects.knownTo(), along);
             continue;
         }
-        takeFloor(firstRowBelow(*view_.projection, view_.floorRise, crossingAtObject()), floor,
+        takeFloor(firstRowBelow(*view_.projection, view_.floorRise, objects.crossing()), floor,
                   tiles);
         meetObject();
     }

@@ -6,8 +6,8 @@
 // slice_objects.cpp   objects
 #pragma once
 
+#include "render/object_cursor.h"
 #include "render/part_view.h"
-#include "render/plan_walk.h"
 #include "render/slice_spans.h"
 
 #include <algorithm>
@@ -87,7 +87,6 @@ public:
     void sendThrough(PortalId id, Vista& beyond, int first, int last, int hazeRow,
                      const HeightClip& clip, const Before& before);
     void endInPortal() { found_->parts[static_cast<std::size_t>(part_)].endsInPortal = true; }
-    bool isFull() const { return found_->isFull(); }
 
     Span& add(What what, int first, int last);
     Span& addPlane(What what, PlaneLook& look, int first, int last, const TileRange& tiles);
@@ -105,27 +104,18 @@ public:
                          const TileRange& tiles, int level = kNoLevel);
 
     // ---- slice_objects.cpp
-    // The next place along the ray where an object is, or where one has to be looked for.
-    double nextObjectAlong() const { return hasObject() ? object().along : objectsTo_; }
-    void findObjects(double from, double to);
-    // Skips objects that the column passes by, and those that cover none of the rows [first, last).
-    void skipObjects(int first, int last);
-    Crossing crossingAtObject() const;
+    // Adds what the column sees of the next object, and goes on behind it.
     void meetObject();
-    // How far along the ray all objects are known.
-    double objectsTo() const { return objectsTo_; }
 
     int number = 0;  // of the picture's columns
     GroundDirection ray;
     GridWalk walk{{}, {}, {}};
+    ObjectCursor objects;
     OpenRows& open;
 
 private:
     static constexpr std::size_t kNone = static_cast<std::size_t>(-1);
 
-    bool hasObject() const { return objects_ != nullptr && object_ < objects_->objects.size(); }
-    const FrameObject& object() const { return view_.vista->objects[objects_->objects[object_]]; }
-    double across(const FrameObject& object) const;
     TexelColumn sideColumn(const BlockSide& side, const SideView& view, int first, int last) const;
     void addSideRows(const BlockSide& side, const SideView& view, const TexelColumn& column,
                      int first, int last);
@@ -136,14 +126,9 @@ private:
     const PartView& view_;
     FrameReport& report_;
     ColumnSpans* found_ = nullptr;
-    int part_ = 0;                            // index of the part
-    int tiles_ = 0;                           // tiles of the part so far
-    std::size_t floorSpan_ = kNone;           // the last floor span of the part
-    const ColumnObjects* objects_ = nullptr;  // null in a map without objects
-    std::size_t object_ = 0;                  // of them, the next one that covers the column
-    double objectsTo_ = kNever;
-    double metDepth_ = 0.0;  // of the last one that was met
-    int metIndex_ = -1;
+    int part_ = 0;                   // index of the part
+    int tiles_ = 0;                  // tiles of the part so far
+    std::size_t floorSpan_ = kNone;  // the last floor span of the part
 };
 
 inline Span& SliceColumn::add(What what, int first, int last) {

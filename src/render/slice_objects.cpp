@@ -7,58 +7,13 @@
 
 namespace slicecast {
 
-// Finds the objects between two places along the ray, and at least a unit more. Columns share a
-// list, which others may have made longer: what this one has met stays behind it.
-void SliceColumn::findObjects(double from, double to) {
-    const double distance = view_.projection->distance;
-    objects_ = &view_.vista->objects.inColumn(number, from * distance - 1.0, to * distance + 1.0);
-    objectsTo_ = objects_->to / distance;
-    const auto isBehind = [&](const FrameObject& object) {
-        return object.along < from || object.depth < metDepth_ ||
-               (object.depth == metDepth_ && object.index <= metIndex_);
-    };
-    for (object_ = 0; hasObject() && isBehind(object());) ++object_;
-}
-
-// Several columns share a list of objects. A full column has no more objects.
-void SliceColumn::skipObjects(int first, int last) {
-    if (found_->isFull()) {
-        objects_ = nullptr;
-        objectsTo_ = kNever;
-    }
-    for (; hasObject(); ++object_) {
-        const FrameObject& object = this->object();
-        if (first >= last || object.firstRow >= object.lastRow || object.lastRow <= first ||
-            object.firstRow >= last)
-            continue;
-        const double share = across(object);
-        if (share >= 0.0 && share < 1.0) return;
-    }
-}
-
-// Where the ray passes an object, as a part of its width from the left.
-double SliceColumn::across(const FrameObject& object) const {
-    return (view_.projection->sidewaysSlope(number) * object.depth - object.left) / object.width;
-}
-
-// The ray at the next object's depth, which is not a tile border.
-Crossing SliceColumn::crossingAtObject() const {
-    const FrameObject& object = this->object();
-    Crossing at;
-    at.along = object.along;
-    at.distance = object.depth;
-    at.speed = view_.projection->distance;
-    at.rowsPerRaw = view_.projection->distance / object.depth * (1.0 / 65536.0);
-    at.border = false;
-    return at;
-}
-
-// Adds the next object's column of texels. A row exactly through the lower edge is on the object,
-// one through the upper edge is not.
+// Adds the next object's column of texels. A full column has no more objects. A row exactly through
+// the lower edge is on the object, one through the upper edge is not.
 void SliceColumn::meetObject() {
-    const FrameObject& object = this->object();
+    if (found_->isFull()) return objects.end();
+    const FrameObject& object = objects.object();
     const SpriteLevel& level = *object.level;
-    const int u = std::min(level.width - 1, static_cast<int>(across(object) * level.width));
+    const int u = std::min(level.width - 1, static_cast<int>(objects.across() * level.width));
     // Positions are in texels from the upper edge, with 32 fractional bits
     constexpr double kTexel = 4294967296.0;
     const double perUnit = level.height * kTexel / ((object.top - object.bottom) / 65536.0);
@@ -110,9 +65,7 @@ void SliceColumn::meetObject() {
         drawn = true;
     }
     if (drawn) ++report_.objectSlices;
-    metDepth_ = object.depth;
-    metIndex_ = object.index;
-    ++object_;
+    objects.pass();
 }
 
 }  // namespace slicecast

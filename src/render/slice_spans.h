@@ -1,4 +1,4 @@
-// What one screen column shows, as plain data: rows, and what fills them. A walk (slice_walk.h)
+// What one screen column shows, as plain data: rows, and what fills them. A walk (strip_walk.h)
 // makes it without drawing, the painter (slice_paint.h) fills rows from it without knowing the
 // world, and a trace (slice_trace.h) lists it.
 //

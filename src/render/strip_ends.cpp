@@ -83,7 +83,7 @@ void StripWalk::meetObjectsOutside() {
         if (isInGrid && !isOutside(i))
             to = std::min(to, rays_.entersV(near < 0 ? 0 : rays_.sizeV - 1, near < 0) /
                                   rays_.speedV[indexOf(i)]);
-        if (!(column.nextObjectAlong() < to)) return;
+        if (!(column.objects.nextAlong() < to)) return;
         const StripCover& cover = tile_.cover;
         const int u = cover.floorFromU.at[i];
         const int v = cover.floorFromV.at[i];

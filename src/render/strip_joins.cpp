@@ -2,6 +2,8 @@
 // portal lies between.
 #include "render/strip_meet.h"
 
+#include "render/plan_walk.h"
+
 namespace slicecast {
 namespace {
 

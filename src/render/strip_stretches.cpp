@@ -52,9 +52,9 @@ void StripWalk::beginStretches(unsigned bits, std::uint32_t plans) {
         way.stretch.enters = column.walk.hasEntered() ? End::border : End::nothing;
         way.stretch.isAtEye = column.walk.entered == 0.0;
         if (hasObjects) {
-            if (column.objectsTo() < way.leave.along)
-                column.findObjects(column.walk.entered, way.leave.along);
-            column.skipObjects(open_.firstOf(i), open_.lastOf(i));
+            if (column.objects.knownTo() < way.leave.along)
+                column.objects.find(column.walk.entered, way.leave.along);
+            column.objects.skip(open_.firstOf(i), open_.lastOf(i));
         }
         findEdges(i, plans);
     });
@@ -91,7 +91,7 @@ bool StripWalk::endStretch(int i) {
     const SliceColumn& column = columns_[indexOf(i)];
     ColumnStretches& way = stretchesOf(i);
     Stretch& stretch = way.stretch;
-    const double objectAlong = column.nextObjectAlong();
+    const double objectAlong = column.objects.nextAlong();
     const PlanEdge* const edge = way.edge;
     Crossing& leave = tile_.leaves[indexOf(i)];
     stretch.leaves = End::border;
@@ -103,7 +103,7 @@ bool StripWalk::endStretch(int i) {
         leave = edge->at;
     } else if (objectAlong < leave.along) {
         stretch.leaves = End::object;
-        leave = column.crossingAtObject();
+        leave = column.objects.crossing();
     }
     stretch.entersAhead = tile_.enters[indexOf(i)].along > 0.0;
     stretch.leavesAhead = leave.along > 0.0;
@@ -126,7 +126,7 @@ bool StripWalk::goOnBehind(int i) {
     } else {
         open_.write(i);
         column.meetObject();
-        column.skipObjects(column.open.first(), column.open.last());
+        column.objects.skip(column.open.first(), column.open.last());
         open_.read(i);
     }
     return open_.firstOf(i) < open_.lastOf(i);

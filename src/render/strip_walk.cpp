@@ -202,15 +202,15 @@ unsigned StripWalk::crossing(int v) {
 unsigned StripWalk::withObjects(unsigned bits) {
     unsigned found = 0;
     eachLane(bits, [&](int i) {
-        SliceColumn& column = columns_[indexOf(i)];
+        ObjectCursor& objects = columns_[indexOf(i)].objects;
         const double leave = tile_.crossingOf(i, Border::leave).along;
-        if (!(leave > column.nextObjectAlong())) return;
+        if (!(leave > objects.nextAlong())) return;
         // Rows may have been closed since
-        if (leave > column.objectsTo())
-            column.findObjects(tile_.crossingOf(i, Border::enter).along, leave);
-        column.skipObjects(open_.firstOf(i), open_.lastOf(i));
+        if (leave > objects.knownTo())
+            objects.find(tile_.crossingOf(i, Border::enter).along, leave);
+        objects.skip(open_.firstOf(i), open_.lastOf(i));
         tile_.cover.changed = true;
-        if (leave > column.nextObjectAlong()) found |= 1u << i;
+        if (leave > objects.nextAlong()) found |= 1u << i;
     });
     return found;
 }
@@ -236,7 +236,7 @@ void StripWalk::noticeChange(unsigned live) {
     nextObject_ = kNever;
     if (!view_.vista->objects.none())
         eachLane(live, [&](int i) {
-            nextObject_ = std::min(nextObject_, columns_[indexOf(i)].nextObjectAlong());
+            nextObject_ = std::min(nextObject_, columns_[indexOf(i)].objects.nextAlong());
         });
 }
 

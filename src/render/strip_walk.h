@@ -19,6 +19,7 @@
 // strip_meet.h          what is in a tile
 #pragma once
 
+#include "render/plan_walk.h"
 #include "render/strip_meet.h"
 
 #include <array>
