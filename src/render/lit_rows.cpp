@@ -28,6 +28,34 @@ constexpr std::array<Middles, 11> kMiddles = [] {
 constexpr auto kTileMagic =
     static_cast<std::uint32_t>(bitCast<std::uint64_t>(PlaneLine::kFractionMagic) >> 32);
 
+// Where rows find their texels and lines of light: some rows are found, then lit, so that many
+// reads of memory wait together.
+constexpr int kAtOnce = 64;
+struct LitPlaces {
+    alignas(16) std::array<std::uint32_t, kAtOnce> texels;
+    alignas(16) std::array<std::uint32_t, kAtOnce> lines;
+    alignas(16) std::array<std::uint32_t, kAtOnce> weights;  // of a line's ends, of 128, in halves
+};
+
+// Lights `rows` texels, and up to three more.
+void lightRows(Pixel* lit, const LitPlaces& places, int rows, const Pixel* texels,
+               const LightLine* lines) {
+    for (std::size_t i = 0; i < static_cast<std::size_t>(rows); i += 4) {
+        const U32x4 weights = loadVector<U32x4>(places.weights.data() + i);
+        const auto light = [&](int n) {
+            return dotPairs(loadVector<U32x4>(lines + places.lines[i + indexOf(n)]),
+                            allLanes(weights[n])) >>
+                   14;
+        };
+        const auto lightA = (U16x8)narrowed(light(0), light(1));
+        const auto lightB = (U16x8)narrowed(light(2), light(3));
+        const std::uint32_t* const at = places.texels.data() + i;
+        const auto shown = (U8x16)U32x4{texels[at[0]], texels[at[1]], texels[at[2]], texels[at[3]]};
+        storeVector(lit + i, upperBytes(lowBytes(shown) * (lightA + (lightA >> 7)) + 128,
+                                        highBytes(shown) * (lightB + (lightB >> 7)) + 128));
+    }
+}
+
 std::uint32_t highHalf(double value) {
     return static_cast<std::uint32_t>(bitCast<std::uint64_t>(value) >> 32);
 }
@@ -58,7 +86,6 @@ const Pixel* SlicePainter::fetchLitRows(const PlaneRun& run, int first, int last
     U32x4 tileX = allLanes(firstX);
     U32x4 tileY = allLanes(firstY);
     U32x4 tileLines = allLanes(linesOf(run, level.bits, firstX, firstY));
-    const LightLine* all = map.allLines();
     // A single texel is drawn as four equal ones: a shift by all 32 bits is undefined
     int bits = level.bits;
     const Pixel* texels = level.texels.data();
@@ -75,6 +102,8 @@ const Pixel* SlicePainter::fetchLitRows(const PlaneRun& run, int first, int last
     const F64x2 south0 = {southStart, southStart};
     const F64x2 eastPer = {line.eastPerInverse, line.eastPerInverse};
     const F64x2 southPer = {line.southPerInverse, line.southPerInverse};
+    LitPlaces places;
+    int from = first;
     for (int row = first; row < last; row += 4) {
         const F64x2 inverseA = loadVector<F64x2>(inverseOffsets + row);
         const F64x2 inverseB = loadVector<F64x2>(inverseOffsets + row + 2);
@@ -102,25 +131,19 @@ const Pixel* SlicePainter::fetchLitRows(const PlaneRun& run, int first, int last
                 lines = (tileLines & there) | (lines & ~there);
                 others &= ~bitsOf(there);
             }
-            all = map.allLines();
         }
         const U32x4 south = lowHalves(southA, southB);
         const U32x4 u = lowHalves(eastA, eastB) >> shift;
-        const U32x4 texel = u << bits | south >> shift;
-        const U32x4 place = lines + u + (south >> 31 << bits);
-        // The weights of a line's ends, of 128, in the halves of one number
         const U32x4 high = south >> 24 & middles.bits;
-        const U32x4 weights = (high << 16) - high + (128 + middles.half * 0xffff);
-        const auto light = [&](int i) {
-            return dotPairs(loadVector<U32x4>(all + place[i]), allLanes(weights[i])) >> 14;
-        };
-        const auto lightA = (U16x8)narrowed(light(0), light(1));
-        const auto lightB = (U16x8)narrowed(light(2), light(3));
-        const U32x4 index = texel ^ reverse;
-        const auto shown =
-            (U8x16)U32x4{texels[index[0]], texels[index[1]], texels[index[2]], texels[index[3]]};
-        storeVector(lit + row, upperBytes(lowBytes(shown) * (lightA + (lightA >> 7)) + 128,
-                                          highBytes(shown) * (lightB + (lightB >> 7)) + 128));
+        const auto at = static_cast<std::size_t>(row - from);
+        storeVector(places.texels.data() + at, (u << bits | south >> shift) ^ reverse);
+        storeVector(places.lines.data() + at, lines + u + (south >> 31 << bits));
+        storeVector(places.weights.data() + at,
+                    (high << 16) - high + (128 + middles.half * 0xffff));
+        if (row + 4 - from >= kAtOnce || row + 4 >= last) {
+            lightRows(lit + from, places, row + 4 - from, texels, map.allLines());
+            from = row + 4;
+        }
     }
     return lit;
 }

@@ -11,6 +11,19 @@ namespace {
 
 using What = FilledRows::What;
 
+LitFaceAt faceOf(const Span& span) {
+    return {span.tiles.fromX, span.tiles.fromY, span.level, static_cast<LitFace>(span.face)};
+}
+
+// Reads a texel so that the memory near it is there when it is needed.
+void readSoon(const Pixel* texel) {
+#ifdef __wasm__
+    asm volatile("" : : "r"(*texel));
+#else
+    __builtin_prefetch(texel);
+#endif
+}
+
 }  // namespace
 
 void SlicePainter::paint(const SliceSpans& slice, Pixel* pixels) {
@@ -23,6 +36,7 @@ void SlicePainter::paint(const SliceSpans& slice, Pixel* pixels) {
 }
 
 void SlicePainter::paintOpaque(const ColumnSpans& column) {
+    findSides(column);
     for (const Span& span : column.spans) {
         if (span.layer) continue;
         switch (span.what) {
@@ -127,22 +141,45 @@ struct SlicePainter::ShownTexels {
     }
 };
 
+// Finds the lit texels of the first sides before one is painted, so that many reads of memory wait
+// together.
+void SlicePainter::findSides(const ColumnSpans& column) {
+    sides_ = side_ = 0;
+    for (const Span& span : column.spans) {
+        if (sides_ == texelsOfSides_.size()) return;
+        if (span.what != What::side || span.layer || !isKept(span)) continue;
+        const Pixel* const texels = litTexels(span);
+        texelsOfSides_[sides_++] = texels;
+        readSoon(texels + (span.column.start >> span.column.shift));
+    }
+}
+
+// Whether a side's texels are kept with the baked light on them.
+bool SlicePainter::isKept(const Span& span) const {
+    return span.vista->lit != nullptr && !span.glow && !isSmooth(span) &&
+           frame_.textures[span.image].levels[span.column.detail].bits <= kLitLevelBits;
+}
+
+const Pixel* SlicePainter::litTexels(const Span& span) const {
+    const TextureLevel& level = frame_.textures[span.image].levels[span.column.detail];
+    const LitLevel shown = {faceOf(span), level, span.slide, span.rise};
+    const Pixel* texels = span.vista->lit->knownTexels(shown);
+    if (texels == nullptr) texels = span.vista->lit->makeTexels(shown);
+    return texels + (span.column.texels - level.texels.data());
+}
+
 // A side's column with baked light on its texels.
 TexelColumn SlicePainter::litColumn(const Span& span) {
     TexelColumn column = span.column;
     if (span.glow) return column;
-    const LitFaceAt face = {span.tiles.fromX, span.tiles.fromY, span.level,
-                            static_cast<LitFace>(span.face)};
-    const TextureLevel& level = frame_.textures[span.image].levels[column.detail];
-    const auto u = static_cast<int>((column.texels - level.texels.data()) >> level.bits);
-    if (level.bits <= kLitLevelBits) {
-        const LitLevel shown = {face, level, span.slide, span.rise};
-        const Pixel* texels = span.vista->lit->knownTexels(shown);
-        if (texels == nullptr) texels = span.vista->lit->makeTexels(shown);
-        column.texels = texels + (u << level.bits);
+    if (isKept(span)) {
+        column.texels = side_ < sides_ && !span.layer ? texelsOfSides_[side_++] : litTexels(span);
         return column;
     }
     // Of a large one only what is shown
+    const LitFaceAt face = faceOf(span);
+    const TextureLevel& level = frame_.textures[span.image].levels[column.detail];
+    const auto u = static_cast<int>((column.texels - level.texels.data()) >> level.bits);
     const FaceNodes* const nodes = span.vista->lit->nodesOf(face);
     if (nodes == nullptr) return column;
     const ShownTexels shown(span);

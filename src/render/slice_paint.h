@@ -7,6 +7,8 @@
 #include "render/plane_points.h"
 #include "render/slice_spans.h"
 
+#include <array>
+#include <cstddef>
 #include <cstdint>
 #include <vector>
 
@@ -71,6 +73,9 @@ private:
                                  const double* inverseOffsets) const;
     Pixel smoothTexelAt(const PlaneRun& run, const PlanePoints::Point& point) const;
     struct ShownTexels;
+    void findSides(const ColumnSpans& column);
+    bool isKept(const Span& span) const;
+    const Pixel* litTexels(const Span& span) const;
     TexelColumn litColumn(const Span& span);
     TexelColumn litObject(const Span& span);
     void paintPlaneByRows(const PlaneRun& run, int first, int last, const PlanePoints& points,
@@ -90,8 +95,13 @@ private:
     int column_ = 0;
     Pixel* pixels_ = nullptr;
     const std::uint8_t* waterFogs_ = nullptr;  // see Vistas; null for reflections too
-    PlaneRun falling_;                         // of a plane below the eye
-    PlaneRun rising_;                          // of a plane above it
+    // Of the opaque sides whose texels are kept with light on them, those that have been found, and
+    // which is painted next
+    std::array<const Pixel*, 32> texelsOfSides_;
+    std::size_t sides_ = 0;
+    std::size_t side_ = 0;
+    PlaneRun falling_;  // of a plane below the eye
+    PlaneRun rising_;   // of a plane above it
 };
 
 }  // namespace slicecast

@@ -30,6 +30,21 @@ unsigned StripWalk::leavingSideways() const {
     return bits;
 }
 
+// The floor of a column from where its run began, for ever: at least to the tile behind its last
+// one of the slab.
+TileRange StripWalk::endlessFrom(int i) const {
+    const int fromU = tile_.cover.floorFromU.at[i];
+    const int fromV = tile_.cover.floorFromV.at[i];
+    int u = fromU;
+    int v = fromV;
+    if (!isOutside(i)) {
+        const bool isU = farV_.at[i] >= 0 && farV_.at[i] < rays_.sizeV;
+        u = tile_.u + (isU ? rays_.stepU : 0);
+        v = farV_.at[i];
+    }
+    return rays_.alongX ? TileRange{fromU, fromV, u, v, true} : TileRange{fromV, fromU, v, u, true};
+}
+
 // Ends the parts of some columns behind their last tile of the slab; `isOut` if they leave the
 // grid there.
 void StripWalk::endBeyond(unsigned bits, bool isOut) {
@@ -44,13 +59,8 @@ void StripWalk::endBeyond(unsigned bits, bool isOut) {
         if (!isOutside(lead)) endCover(together, lastOf(lead), isOut);
         eachLane(together, [&](int i) {
             SliceColumn& column = columns_[indexOf(i)];
-            const StripCover& cover = tile_.cover;
-            const int u = cover.floorFromU.at[i];
-            const int v = cover.floorFromV.at[i];
             open_.write(i);
-            column.endBeyond(
-                static_cast<TextureId>(cover.floor.at[i]),
-                rays_.alongX ? TileRange{u, v, u, v, true} : TileRange{v, u, v, u, true});
+            column.endBeyond(static_cast<TextureId>(tile_.cover.floor.at[i]), endlessFrom(i));
         });
     }
     open_.close(bits);
@@ -84,13 +94,9 @@ void StripWalk::meetObjectsOutside() {
             to = std::min(to, rays_.entersV(near < 0 ? 0 : rays_.sizeV - 1, near < 0) /
                                   rays_.speedV[indexOf(i)]);
         if (!(column.objects.nextAlong() < to)) return;
-        const StripCover& cover = tile_.cover;
-        const int u = cover.floorFromU.at[i];
-        const int v = cover.floorFromV.at[i];
         open_.write(i);
-        column.meetObjectsBefore(
-            to, static_cast<TextureId>(cover.floor.at[i]),
-            rays_.alongX ? TileRange{u, v, u, v, true} : TileRange{v, u, v, u, true});
+        column.meetObjectsBefore(to, static_cast<TextureId>(tile_.cover.floor.at[i]),
+                                 endlessFrom(i));
         open_.read(i);
         tile_.cover.changed = true;
     });

@@ -44,7 +44,10 @@ void StripWalk::findFarTiles() {
 int StripWalk::farTile(int lane, double v) const {
     const auto border = static_cast<int>(std::floor(v + 0.5));
     const int step = rays_.stepV[indexOf(lane)];
-    if (step == 0 || (step > 0 ? border < 1 : border > 0)) return 0;
+    // Behind a portal that turns, a part may begin beside the eye's own tile although the eye is on
+    // the border
+    const int begin = startV_ - rays_.eyeV;
+    if (step == 0 || (step > 0 ? border <= begin : border > begin)) return begin;
     const double distance = step > 0 ? border - rays_.fractionV : rays_.fractionV - border;
     const double along = distance / rays_.speedV[indexOf(lane)];
     const double alongU = tile_.far / rays_.speedU[indexOf(lane)];

@@ -126,7 +126,7 @@ std::span<const CrossingLanes> StripTile::crossings(Border at) {
     const Lanes isU = entering ? enteredAlongU : leftAlongU;
     add(isU, rays.alongX, rays.stepU > 0);
     if (entering) {
-        add(~isU, !rays.alongX, v > rays.eyeV);
+        add(~isU, !rays.alongX, entersUpward);
     } else {
         const Lanes upward = inAllLanes(0) < rays.stepsV;
         add(~isU & upward, !rays.alongX, true);

@@ -137,11 +137,12 @@ public:
 
     // Of the tile
     int v = 0;
-    double enteredV = 0.0;  // distance of the border along v through which columns enter, units
-    bool isWhole = false;   // all columns enter and leave along u
-    Lanes enteredAlongU;    // which columns enter along u
-    Lanes leftAlongU;       // and which leave along u
-    Lanes mask;             // columns that pass it
+    bool entersUpward = false;  // columns that enter along v come from a lesser v
+    double enteredV = 0.0;      // distance of the border through which they do, units
+    bool isWhole = false;       // all columns enter and leave along u
+    Lanes enteredAlongU;        // which columns enter along u
+    Lanes leftAlongU;           // and which leave along u
+    Lanes mask;                 // columns that pass it
     Stretch stretch;
     bool isDivided = false;  // `enters` and `leaves` are valid
     bool isFirst = false;    // the eye's own tile: not entered through a border

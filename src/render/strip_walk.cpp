@@ -125,8 +125,8 @@ void StripWalk::walkSlab() {
     const bool isWithin = isInGrid && lowest == least && highest == most;
     if (!isWithin) meetObjectsOutside();
     if (isInGrid) {
-        for (int v = std::max(rays_.eyeV, lowest); v <= highest; ++v) visit(v);
-        for (int v = std::min(rays_.eyeV - 1, highest); v >= lowest; --v) visit(v);
+        for (int v = std::max(startV_, lowest); v <= highest; ++v) visit(v);
+        for (int v = std::min(startV_ - 1, highest); v >= lowest; --v) visit(v);
     }
     if (!isWithin) endBeyond(leavingSideways(), true);
 }
@@ -185,7 +185,8 @@ bool StripWalk::isAtEye(unsigned bits) const {
 unsigned StripWalk::crossing(int v) {
     tile_.v = v;
     tile_.isDivided = false;
-    tile_.enteredV = rays_.entersV(v, v > rays_.eyeV);
+    tile_.entersUpward = v > startV_;
+    tile_.enteredV = rays_.entersV(v, tile_.entersUpward);
     if (tile_.isWhole) {
         tile_.enteredAlongU = tile_.leftAlongU = inAllLanes(-1);
         return open_.live();

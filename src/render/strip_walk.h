@@ -83,6 +83,7 @@ private:
     bool isBeyond(double along) const;
     bool isOutside(int lane) const;
     unsigned leavingSideways() const;
+    TileRange endlessFrom(int lane) const;
     void endBeyond(unsigned bits, bool isOut);
     void endCover(unsigned bits, int v, bool isOut);
     void meetObjectsOutside();

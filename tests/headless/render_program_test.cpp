@@ -210,8 +210,9 @@ TEST(RenderProgram, PrintsTheTraceOfAColumnOrOfAll) {
     ASSERT_EQ(column.status, 0) << column.err;
     ASSERT_FALSE(json.Parse(column.out.c_str()).HasParseError()) << column.out;
     EXPECT_EQ(json["walk"][1]["depth"].GetDouble(), 0.5);
-    EXPECT_EQ(json["runs"][0]["what"], "side");
-    EXPECT_NEAR(json["runs"][0]["texels"][0]["depth"].GetDouble(), 2.5, 1e-12);
+    EXPECT_EQ(json["runs"][0]["what"], "floor");
+    EXPECT_EQ(json["runs"][1]["what"], "side");
+    EXPECT_NEAR(json["runs"][1]["texels"][0]["depth"].GetDouble(), 2.5, 1e-12);
     const Finished all =
         render({scene, "--eye", "1.5,2.5,0.5,0,0", "--size", "64x48", "--trace", "all"});
     ASSERT_EQ(all.status, 0) << all.err;

@@ -86,8 +86,8 @@ TEST(SliceSpans, AWall) {
     world.maps[0].light = {.on = true, .intensity = 2.0, .multiplier = 1.0};
     world.maps[0].fog = {.on = true, .start = 1.0, .end = 6.0};
     EXPECT_EQ(found(world, eyeInHall()), R"(
+floor 114-200 over 2,2 to 5,2: floor at -0.5, light 1
 side 86-114 west of 6,2,0: wall detail 2, u 8, v 0-15, depth 3.5, light 146, fog 128
-floor 114-200 over 2,2 to 6,2: floor at -0.5, light 1
 sky 0-86
 )");
 }
@@ -101,13 +101,13 @@ TEST(SliceSpans, EdgesOnTheCentresOfRows) {
     setRow(world, 10, wall);
     setRow(world, 1, wall);
     EXPECT_EQ(found(world, eyeAt(6.0, 2.5, 0.5, 0.0)), R"(
+floor 113-200 over 6,2 to 9,2: floor at -0.5, light 1
 side 87-113 west of 10,2,0: wall detail 0, u 4, v 0-7, depth 4, light 256, fog 0
-floor 113-200 over 6,2 to 10,2: floor at -0.5, light 1
 sky 0-87
 )");
     EXPECT_EQ(found(world, eyeAt(6.0, 2.5, 0.5, 180.0)), R"(
+floor 112-200 over 6,2 to 2,2: floor at -0.5, light 1
 side 88-112 east of 1,2,0: wall detail 0, u 4, v 0-7, depth 4, light 256, fog 0
-floor 112-200 over 6,2 to 1,2: floor at -0.5, light 1
 sky 0-88
 )");
 }
@@ -119,9 +119,9 @@ TEST(SliceSpans, AStepFromAbove) {
     World world = hall();
     setRow(world, 5, addNamed(world, "step", 0.0, 0.5));
     EXPECT_EQ(found(world, eyeInHall(1.5)), R"(
+floor 160-200 over 2,2 to 4,2: floor at -1.5, light 1
 side 140-160 west of 5,2,0: step detail 0, u 4, v 4-7, depth 2.5, light 256, fog 0
 roof 129-140 of 5,2,0: step at -1, light 1
-floor 160-200 over 2,2 to 5,2: floor at -1.5, light 1
 floor 100-129 over 6,2 to 12,2 and on: floor at -1.5, light 1
 sky 0-100
 )");
@@ -148,9 +148,9 @@ TEST(SliceSpans, ABridgeFromBelow) {
     World world = hall(2);
     setRow(world, 5, addNamed(world, "bridge", 0.5, 0.75), 1);
     EXPECT_EQ(found(world, eyeInHall()), R"(
+floor 100-200 over 2,2 to 12,2 and on: floor at -0.5, light 1
 side 50-60 west of 5,2,1: bridge detail 0, u 4, v 2-3, depth 2.5, light 256, fog 0
 underside 60-71 of 5,2,1: bridge at 1, light 1, from below
-floor 100-200 over 2,2 to 12,2 and on: floor at -0.5, light 1
 sky 0-50
 sky 71-100
 )");
@@ -209,12 +209,12 @@ TEST(SliceSpans, APane) {
     world.maps[0].setCell(5, 2, 0, addNamed(world, "glass", 0.0, 1.0, kGlass));
     setRow(world, 8, addNamed(world, "wall"));
     EXPECT_EQ(found(world, eyeInHall()), R"(
+floor 109-200 over 2,2 to 7,2: floor at -0.5, light 1
 layer side 80-120 west of 5,2,0: glass detail 0, u 4, v 0-7, depth 2.5, light 256, fog 0
 layer underside 114-120 of 5,2,0: glass at -0.5, light 1, from below
 layer side 100-114 east of 5,2,0: glass detail 0, u 3, v 4-7, depth 3.5, light 256, fog 0
 layer roof 80-86 of 5,2,0: glass at 0.5, light 1
 layer side 86-100 east of 5,2,0: glass detail 0, u 3, v 0-3, depth 3.5, light 256, fog 0
-floor 109-200 over 2,2 to 8,2: floor at -0.5, light 1
 side 91-109 west of 8,2,0: wall detail 0, u 4, v 0-7, depth 5.5, light 256, fog 0
 sky 0-91
 )");
@@ -228,10 +228,10 @@ TEST(SliceSpans, PanesThatJoin) {
     world.maps[0].setCell(5, 2, 0, glass);
     world.maps[0].setCell(6, 2, 0, glass);
     EXPECT_EQ(found(world, eyeInHall()), R"(
+floor 100-200 over 2,2 to 12,2 and on: floor at -0.5, light 1
 layer side 80-120 west of 5,2,0: glass detail 0, u 4, v 0-7, depth 2.5, light 256, fog 0
 layer underside 114-120 of 5,2,0: glass at -0.5, light 1, from below
 layer roof 80-86 of 5,2,0: glass at 0.5, light 1
-floor 100-200 over 2,2 to 12,2 and on: floor at -0.5, light 1
 layer underside 111-114 of 6,2,0: glass at -0.5, light 1, from below
 layer side 100-111 east of 6,2,0: glass detail 0, u 3, v 4-7, depth 4.5, light 256, fog 0
 layer roof 86-89 of 6,2,0: glass at 0.5, light 1
@@ -258,7 +258,7 @@ TEST(SliceSpans, AnObjectBeforeAWall) {
                                      .width = tileEdge(1),
                                      .height = toCoordinate(0.25)});
     EXPECT_EQ(found(world, eyeInHall()), R"(
-floor 114-200 over 2,2 to 6,2: floor at -0.5, light 1
+floor 114-200 over 2,2 to 5,2: floor at -0.5, light 1
 layer object 109-118 of 0: stone detail 0, u 4, v 0-7, depth 2.75, light 256, fog 0
 side 86-114 west of 6,2,0: wall detail 0, u 4, v 0-7, depth 3.5, light 256, fog 0
 sky 0-86
@@ -284,17 +284,17 @@ TEST(SliceSpans, APortalInAFace) {
     world.maps[0].setCell(6, 2, 0, gate);
     setRow(world, 3, addNamed(world, "wall"), 0, 1);
     EXPECT_EQ(found(world, eyeInHall()), R"(
-floor 114-200 over 2,2 to 6,2: floor at -0.5, light 1
+floor 114-200 over 2,2 to 5,2: floor at -0.5, light 1
 sky 0-86
+floor 109-114 over 1,1 to 2,1: sand at -0.5, light 1, map 1, behind 1
 side 91-109 west of 3,1,0: wall detail 0, u 4, v 0-7, depth 5.5, light 256, fog 0, map 1, behind 1
-floor 109-114 over 1,1 to 3,1: sand at -0.5, light 1, map 1, behind 1
 sky 86-91, map 1, behind 1
 portal 0 86-114 at depth 3.5
 )");
     world.portalLimit = 0;
     EXPECT_EQ(found(world, eyeInHall()), R"(
+floor 114-200 over 2,2 to 5,2: floor at -0.5, light 1
 side 86-114 west of 6,2,0: gate detail 0, u 4, v 0-7, depth 3.5, light 256, fog 0
-floor 114-200 over 2,2 to 6,2: floor at -0.5, light 1
 sky 0-86
 )");
 }
@@ -350,8 +350,8 @@ TEST(SliceSpans, AMirrorFloor) {
     setRow(world, 6, addNamed(world, "wall"));
     world.maps[0].floor.mirror = 128;
     EXPECT_EQ(found(world, eyeInHall()), R"(
+floor 114-200 over 2,2 to 5,2: floor at -0.5, light 1, mirror
 side 86-114 west of 6,2,0: wall detail 0, u 4, v 0-7, depth 3.5, light 256, fog 0
-floor 114-200 over 2,2 to 6,2: floor at -0.5, light 1, mirror
 sky 0-86
 mirror 114-200 at -0.5, strength 128
 reflected side 57-86 west of 6,2,0: wall detail 0, u 4, v 0-7, depth 3.5, light 256, fog 0
