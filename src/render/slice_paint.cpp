@@ -11,19 +11,6 @@ namespace {
 
 using What = FilledRows::What;
 
-LitFaceAt faceOf(const Span& span) {
-    return {span.tiles.fromX, span.tiles.fromY, span.level, static_cast<LitFace>(span.face)};
-}
-
-// Reads a texel so that the memory near it is there when it is needed.
-void readSoon(const Pixel* texel) {
-#ifdef __wasm__
-    asm volatile("" : : "r"(*texel));
-#else
-    __builtin_prefetch(texel);
-#endif
-}
-
 }  // namespace
 
 void SlicePainter::paint(const SliceSpans& slice, Pixel* pixels) {
@@ -36,7 +23,7 @@ void SlicePainter::paint(const SliceSpans& slice, Pixel* pixels) {
 }
 
 void SlicePainter::paintOpaque(const ColumnSpans& column) {
-    findSides(column);
+    sides_.find(column);
     for (const Span& span : column.spans) {
         if (span.layer) continue;
         switch (span.what) {
@@ -63,8 +50,9 @@ void SlicePainter::paintOpaque(const ColumnSpans& column) {
     paintGathered(rising_);
 }
 
-// Paints layers from back to front. Those of one plane that touch are painted at once; nearer rows
-// of a plane are farther from the horizon, so a run grows away from it.
+// Paints layers from back to front. Those of one plane that touch are painted
+// at once; nearer rows of a plane are farther from the horizon, so a run grows
+// away from it.
 void SlicePainter::paintLayers(const ColumnSpans& column) {
     report_.layers += static_cast<std::int64_t>(column.layers);
     PlaneRun run;
@@ -99,7 +87,8 @@ void SlicePainter::paintLayers(const ColumnSpans& column) {
     paintRun();
 }
 
-// Paints the reflections into an upside down column, and blends it over the mirrors.
+// Paints the reflections into an upside down column, and blends it over the
+// mirrors.
 void SlicePainter::paintReflection(const SliceSpans& slice) {
     Pixel* const pixels = pixels_;
     const std::uint8_t* const waterFogs = waterFogs_;
@@ -141,39 +130,12 @@ struct SlicePainter::ShownTexels {
     }
 };
 
-// Finds the lit texels of the first sides before one is painted, so that many reads of memory wait
-// together.
-void SlicePainter::findSides(const ColumnSpans& column) {
-    sides_ = side_ = 0;
-    for (const Span& span : column.spans) {
-        if (sides_ == texelsOfSides_.size()) return;
-        if (span.what != What::side || span.layer || !isKept(span)) continue;
-        const Pixel* const texels = litTexels(span);
-        texelsOfSides_[sides_++] = texels;
-        readSoon(texels + (span.column.start >> span.column.shift));
-    }
-}
-
-// Whether a side's texels are kept with the baked light on them.
-bool SlicePainter::isKept(const Span& span) const {
-    return span.vista->lit != nullptr && !span.glow && !isSmooth(span) &&
-           frame_.textures[span.image].levels[span.column.detail].bits <= kLitLevelBits;
-}
-
-const Pixel* SlicePainter::litTexels(const Span& span) const {
-    const TextureLevel& level = frame_.textures[span.image].levels[span.column.detail];
-    const LitLevel shown = {faceOf(span), level, span.slide, span.rise};
-    const Pixel* texels = span.vista->lit->knownTexels(shown);
-    if (texels == nullptr) texels = span.vista->lit->makeTexels(shown);
-    return texels + (span.column.texels - level.texels.data());
-}
-
 // A side's column with baked light on its texels.
 TexelColumn SlicePainter::litColumn(const Span& span) {
     TexelColumn column = span.column;
     if (span.glow) return column;
-    if (isKept(span)) {
-        column.texels = side_ < sides_ && !span.layer ? texelsOfSides_[side_++] : litTexels(span);
+    if (sides_.isKept(span)) {
+        column.texels = sides_.of(span);
         return column;
     }
     // Of a large one only what is shown
@@ -202,8 +164,8 @@ TexelColumn SlicePainter::litObject(const Span& span) {
     return column;
 }
 
-// Rows whose rays leave the eye's water before the span have the fog of that distance. They are the
-// upper rows.
+// Rows whose rays leave the eye's water before the span have the fog of that
+// distance. They are the upper rows.
 void SlicePainter::paintTexelsFromWater(const Span& span, TexelColumn column, Lay lay) {
     const std::uint32_t fog = column.fog;
     const Pixel haze = span.vista->lighting.haze;
@@ -228,9 +190,9 @@ void SlicePainter::paintSky(const Span& span) {
     count(span.first, span.last);
 }
 
-// Adds rows to the run of their side of the horizon. Farther rows of a plane are closer to the
-// horizon, so a run grows towards it. An underside in the plane of a ceiling may have its look, but
-// has a light of its own.
+// Adds rows to the run of their side of the horizon. Farther rows of a plane
+// are closer to the horizon, so a run grows towards it. An underside in the
+// plane of a ceiling may have its look, but has a light of its own.
 void SlicePainter::gather(const Span& span) {
     const bool falls = span.look->plane.rise < 0;
     PlaneRun& run = falls ? falling_ : rising_;
@@ -261,9 +223,9 @@ void SlicePainter::paintGathered(PlaneRun& run) {
     run.first = run.last = -1;
 }
 
-// The first and the last rows may be within the rounding error of their tiles' border, or all of
-// them if the ray runs along it. Their texel is clamped, so that the far side of the texture never
-// shows.
+// The first and the last rows may be within the rounding error of their tiles'
+// border, or all of them if the ray runs along it. Their texel is clamped, so
+// that the far side of the texture never shows.
 void SlicePainter::paintPlane(const PlaneRun& run, Lay lay) {
     count(run.first, run.last);
     PlaneLook& look = *run.look;
@@ -281,7 +243,8 @@ void SlicePainter::paintPlane(const PlaneRun& run, Lay lay) {
     paintPlaneRows(run, first, last, points, lay);
 }
 
-// Paints rows whose points are well within the run's tiles, all from one texture.
+// Paints rows whose points are well within the run's tiles, all from one
+// texture.
 void SlicePainter::paintPlaneRows(const PlaneRun& run, int first, int last,
                                   const PlanePoints& points, Lay lay) {
     const PlaneRows rows = run.look->rows(first, last);
@@ -338,8 +301,9 @@ Pixel SlicePainter::texelAt(const PlaneRun& run, const TextureLevel& level,
                  place(v, plane.south));
 }
 
-// Paints rows one by one, slowly: those near tile borders, blocks that have moved sideways, and the
-// rare runs behind turning portals with a point exactly on a border.
+// Paints rows one by one, slowly: those near tile borders, blocks that have
+// moved sideways, and the rare runs behind turning portals with a point exactly
+// on a border.
 void SlicePainter::paintPlaneByRows(const PlaneRun& run, int first, int last,
                                     const PlanePoints& points, Lay lay) {
     if (first == last) return;

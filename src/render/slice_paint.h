@@ -1,14 +1,13 @@
-// Fills the rows of a slice from its spans. The painter knows textures, light and rows, but nothing
-// of the world.
+// Fills the rows of a slice from its spans. The painter knows textures, light
+// and rows, but nothing of the world.
 #pragma once
 
 #include "render/column_fill.h"
 #include "render/frame.h"
+#include "render/lit_sides.h"
 #include "render/plane_points.h"
 #include "render/slice_spans.h"
 
-#include <array>
-#include <cstddef>
 #include <cstdint>
 #include <vector>
 
@@ -16,9 +15,10 @@ namespace slicecast {
 
 class SlicePainter {
 public:
-    // All three must outlive the painter; `reflected` is scratch memory for a column.
+    // All three must outlive the painter; `reflected` is scratch memory for a
+    // column.
     SlicePainter(const Frame& frame, std::vector<Pixel>& reflected, FrameReport& report)
-        : frame_(frame), reflected_(reflected), report_(report) {}
+        : frame_(frame), reflected_(reflected), report_(report), sides_(frame) {}
 
     // Fills all rows of the spans into `pixels`.
     void paint(const SliceSpans& slice, Pixel* pixels);
@@ -73,9 +73,6 @@ private:
                                  const double* inverseOffsets) const;
     Pixel smoothTexelAt(const PlaneRun& run, const PlanePoints::Point& point) const;
     struct ShownTexels;
-    void findSides(const ColumnSpans& column);
-    bool isKept(const Span& span) const;
-    const Pixel* litTexels(const Span& span) const;
     TexelColumn litColumn(const Span& span);
     TexelColumn litObject(const Span& span);
     void paintPlaneByRows(const PlaneRun& run, int first, int last, const PlanePoints& points,
@@ -95,11 +92,7 @@ private:
     int column_ = 0;
     Pixel* pixels_ = nullptr;
     const std::uint8_t* waterFogs_ = nullptr;  // see Vistas; null for reflections too
-    // Of the opaque sides whose texels are kept with light on them, those that have been found, and
-    // which is painted next
-    std::array<const Pixel*, 32> texelsOfSides_;
-    std::size_t sides_ = 0;
-    std::size_t side_ = 0;
+    LitSides sides_;
     PlaneRun falling_;  // of a plane below the eye
     PlaneRun rising_;   // of a plane above it
 };

@@ -7,6 +7,16 @@
 #include <cstdlib>
 
 namespace slicecast {
+namespace {
+
+// Whether parts begin alike, so that their columns can walk together.
+bool isAlike(const Part& a, const Part& b) {
+    return a.vista == b.vista && a.clip == b.clip && a.before == b.before &&
+           a.portals == b.portals && a.walk.tileX == b.walk.tileX && a.walk.tileY == b.walk.tileY &&
+           a.walk.hasEntered() == b.walk.hasEntered();
+}
+
+}  // namespace
 
 template <std::size_t... index>
 StripWalk::StripWalk(const Frame& frame, StripScratch& scratch, FrameReport& report,
@@ -38,7 +48,8 @@ void StripWalk::find(int first, int count, bool withReflection) {
     walkParts(mirrored);
 }
 
-// Walks the present parts of some columns, and those after them. Walking a part may add more parts.
+// Walks the present parts of some columns, and those after them. Walking a part
+// may add more parts.
 void StripWalk::walkParts(unsigned bits) {
     while (bits != 0) {
         const unsigned alike = beginAlike(bits);
@@ -49,8 +60,9 @@ void StripWalk::walkParts(unsigned bits) {
     }
 }
 
-// Begins the present parts of those of the columns that begin as the first one does, and returns
-// which they are. Only one column if the directions of the strip's columns differ too much.
+// Begins the present parts of those of the columns that begin as the first one
+// does, and returns which they are. Only one column if the directions of the
+// strip's columns differ too much.
 unsigned StripWalk::beginAlike(unsigned bits) {
     const int lead = __builtin_ctz(bits);
     const Part& part = columns_[indexOf(lead)].part();
@@ -73,13 +85,8 @@ unsigned StripWalk::beginAlike(unsigned bits) {
     return alike;
 }
 
-bool StripWalk::isAlike(const Part& a, const Part& b) const {
-    return a.vista == b.vista && a.clip == b.clip && a.before == b.before &&
-           a.portals == b.portals && a.walk.tileX == b.walk.tileX && a.walk.tileY == b.walk.tileY &&
-           a.walk.hasEntered() == b.walk.hasEntered();
-}
-
-// Walks the present parts of the columns in `bits`, which begin alike, to their ends.
+// Walks the present parts of the columns in `bits`, which begin alike, to their
+// ends.
 void StripWalk::walk(unsigned bits) {
     open_.begin(bits);
     StripCover& cover = tile_.cover;
@@ -216,7 +223,8 @@ unsigned StripWalk::withObjects(unsigned bits) {
     return found;
 }
 
-// Updates the state after a tile; `live` were the columns with open rows before.
+// Updates the state after a tile; `live` were the columns with open rows
+// before.
 void StripWalk::noticeChange(unsigned live) {
     open_.findEnds();
     eachLane(live & ~open_.live(), [&](int i) {

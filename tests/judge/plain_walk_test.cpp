@@ -1,5 +1,6 @@
-// The three walks before random worlds: row by row they must find the same. The plain one is what
-// the others are held against: that of one column, and that of a strip's columns together.
+// The two walks before random worlds: row by row they must find the same. The plain one is what the
+// fast one is held against, as pictures take it, sixteen columns at once, and as traces do, each by
+// itself.
 #include "draw.h"
 #include "random_scene.h"
 #include "suite.h"
