@@ -32,8 +32,9 @@ I16x8 wave(U16x8 phase) {
 
 constexpr int kHighestWave = 512;
 
-// How high the waves are at a point, or at eight, in 1/256 units; from -kHighestWave to
-// kHighestWave. Only the low 11 bits of places and step matter.
+// How high the waves are at a point, or at eight, in 1/256 units; from
+// -kHighestWave to kHighestWave. Only the low 11 bits of places and step
+// matter.
 template <typename Place>
 auto waveAt(Place x, Place y, Place step) {
     return (2 * wave((5 * x + 3 * y + 8 * step) >> 3) + wave((9 * y - 4 * x + 8 * step) >> 2) +
@@ -41,8 +42,8 @@ auto waveAt(Place x, Place y, Place step) {
            5;
 }
 
-// By row: the square of its offset from the horizon, divided, 1/262144. The same for all columns
-// that see a mirror's plane.
+// By row: the square of its offset from the horizon, divided, 1/262144. The
+// same for all columns that see a mirror's plane.
 const double* squaresOf(RippleMemory& memory, double perSquare, double horizon, std::size_t rows) {
     for (const RippleMemory::Squares& known : memory.squares) {
         if (known.perSquare == perSquare && known.horizon == horizon && known.byRow.size() == rows)
@@ -162,7 +163,8 @@ const int* findRippledRows(const Frame& frame, int column, const ColumnSpans& fo
     const double perSquare = height * vista.projection->distance;
     const int step = static_cast<int>(frame.world->steps & 1023);
     const int most = frame.rippleRows;
-    // Rows near the horizon show the far water, whose waves are too low to move anything
+    // Rows near the horizon show the far water, whose waves are too low to move
+    // anything
     const double stillOffset =
         std::sqrt(0.499 * 262144.0 / kHighestWave / span.ripples * perSquare);
     const double stillEnd = vista.projection->horizon + stillOffset - 0.5;
@@ -181,7 +183,9 @@ const int* findRippledRows(const Frame& frame, int column, const ColumnSpans& fo
         most,
         first,
         last - 1};
-    for (; row + 8 <= span.last; row += 8) mirror.find(row, rows.data() + row);
+    // Eight at a time, also where some of them are behind the last one
+    const int end = static_cast<int>(planes.size());
+    for (; row < span.last && row + 8 <= end; row += 8) mirror.find(row, rows.data() + row);
     for (; row < span.last; ++row) {
         const double inverse = vista.inverseOffsets[row];
         const int x =
@@ -199,21 +203,17 @@ const int* findRippledRows(const Frame& frame, int column, const ColumnSpans& fo
 
 void SlicePainter::blendRipples(const SliceSpans& slice) {
     const int height = frame_.vistas.projection().height;
-    std::vector<Pixel>& colours = frame_.ripples.colours;
-    colours.resize(static_cast<std::size_t>(height));
     findMirrorPlanes(frame_, slice.upright);
     for (const MirrorSpan& span : slice.upright.mirrors) {
         const int count = span.last - span.first;
-        const Pixel* reflected = reflected_.data() + (height - span.last);
         if (span.ripples > 0) {
             const int* const rows = findRippledRows(frame_, slice.column, slice.upright, span);
-            for (int row = 0; row < count; ++row) {
-                colours[static_cast<std::size_t>(count - 1 - row)] =
-                    reflected_[static_cast<std::size_t>(height - 1 - rows[span.first + row])];
-            }
-            reflected = colours.data();
+            blendBefore(pixels_ + span.first, count, reflected_.data() + height - 1,
+                        rows + span.first, span.strength);
+        } else {
+            blendReversed(pixels_ + span.first, count, reflected_.data() + (height - span.last),
+                          span.strength);
         }
-        blendReversed(pixels_ + span.first, count, reflected, span.strength);
     }
 }
 
