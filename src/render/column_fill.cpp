@@ -12,9 +12,9 @@ namespace {
 
 constexpr std::uint32_t kFullLight = 256;  // leaves a colour unchanged
 
-// A pixel's four channels are handled as two pairs of 16-bit halves, red with
-// blue and green with alpha; no product or sum below exceeds 16 bits. Machines
-// without vectors do not use the vector forms.
+// A pixel's four channels are handled as two pairs of 16-bit halves, red with blue and green with
+// alpha; no product or sum below exceeds 16 bits. Machines without vectors do not use the vector
+// forms.
 
 // #region shaded
 inline std::uint32_t shaded(std::uint32_t texel, std::uint32_t factorTwice) {
@@ -25,9 +25,9 @@ inline std::uint32_t shaded(std::uint32_t texel, std::uint32_t factorTwice) {
 }
 // #endregion
 
-// Shifts by a variable count. Clang 14 hoists the broadcast of the count out of
-// loops, then fails to see that all lanes have the same count, and shifts them
-// one by one for WebAssembly; the asm statement prevents the hoisting.
+// Shifts by a variable count. Clang 14 hoists the broadcast of the count out of loops, then fails
+// to see that all lanes have the same count, and shifts them one by one for WebAssembly; the asm
+// statement prevents the hoisting.
 [[maybe_unused]] inline U32x4 shiftedRight(U32x4 value, int count) {
 #ifdef __wasm_simd128__
     __asm__ volatile("" : "+r"(count));
@@ -289,8 +289,7 @@ void fillPlaneAs(Pixel* column, int first, int last, const PlaneTexels& texels, 
     for (int row = first; row < last; ++row) column[row] = shade.one(texels.level.texels[0], row);
 }
 
-// The same, laid over what is there. Rare where light is baked: not worth loops
-// of its own.
+// The same, laid over what is there. Rare where light is baked: not worth loops of its own.
 void layPlane(Pixel* column, int first, int last, const PlaneTexels& texels, PlaneShade shade) {
     constexpr int kAtOnce = 64;
     std::array<Pixel, kAtOnce> fetched;

@@ -1,8 +1,8 @@
-// The innermost loops: fill rows of one slice from a texture, with light and
-// fog. Per pixel only a texel fetch, a multiply and a store.
+// The innermost loops: fill rows of one slice from a texture, with light and fog. Per pixel only a
+// texel fetch, a multiply and a store.
 //
-// A slice is drawn into a column of memory, row after row, so all three streams
-// (rows, tables per row, a wall's texels) run forwards.
+// A slice is drawn into a column of memory, row after row, so all three streams (rows, tables per
+// row, a wall's texels) run forwards.
 #pragma once
 
 #include "base/bits.h"
@@ -14,8 +14,8 @@
 
 namespace slicecast {
 
-// Texture positions are in 1/2^48 of a tile: a step rounded to that is off by
-// less than 1e-10 of a tile after 8192 rows.
+// Texture positions are in 1/2^48 of a tile: a step rounded to that is off by less than 1e-10 of a
+// tile after 8192 rows.
 inline constexpr int kTexturePositionBits = 48;
 inline constexpr std::uint64_t kWholeTexture = std::uint64_t{1} << kTexturePositionBits;  // a tile
 
@@ -23,9 +23,9 @@ inline constexpr std::uint64_t kWholeTexture = std::uint64_t{1} << kTexturePosit
 //     channel = (texel * alpha + there * (255 - alpha) + 127) / 255
 enum class Lay { opaque, over };
 
-// One column of texels of a side or an object. Row r of a run that begins at
-// row `first` shows texels[(start + (r - first) * step) >> shift], which never
-// leaves the column. On a side positions are in 1/2^48 of a tile.
+// One column of texels of a side or an object. Row r of a run that begins at row `first` shows
+// texels[(start + (r - first) * step) >> shift], which never leaves the column. On a side positions
+// are in 1/2^48 of a tile.
 struct TexelColumn {
     const Pixel* texels = nullptr;
     std::uint64_t start = 0;
@@ -40,13 +40,11 @@ struct TexelColumn {
 // Fills `rows` rows.
 void fillSide(Pixel* out, int rows, const TexelColumn& column, Pixel haze, Lay lay = Lay::opaque);
 
-// Loops over a plane's rows take four at a time: tables by row have room for so
-// many more.
+// Loops over a plane's rows take four at a time: tables by row have room for so many more.
 inline constexpr int kRowsBeyond = 3;
 
-// The points of a horizontal plane that a slice sees, by row: east = eastStart
-// + eastPerInverse * inverseOffset, likewise south, in tiles; only the fraction
-// counts.
+// The points of a horizontal plane that a slice sees, by row: east = eastStart + eastPerInverse *
+// inverseOffset, likewise south, in tiles; only the fraction counts.
 struct PlaneLine {
     double eastStart = 0.0;  // the eye's fraction of a tile, 0 to 1
     double southStart = 0.0;
@@ -54,14 +52,12 @@ struct PlaneLine {
     double southPerInverse = 0.0;
     bool southReversed = false;  // undersides and ceilings
 
-    // A double from 2^20 to below 2^21 has 32 bits after the point, so adding
-    // this leaves the fraction in the low half of its bits, rounded to 1/2^32.
-    // The sum must stay in that range: positions are below 2^19 tiles (see
-    // kMaxFar).
+    // A double from 2^20 to below 2^21 has 32 bits after the point, so adding this leaves the
+    // fraction in the low half of its bits, rounded to 1/2^32. The sum must stay in that range:
+    // positions are below 2^19 tiles (see kMaxFar).
     static constexpr double kFractionMagic = 1572864.0;
 
-    // A position in 1/2^32 of a tile, and the fraction of its tile in the same
-    // unit.
+    // A position in 1/2^32 of a tile, and the fraction of its tile in the same unit.
     static std::int64_t position(double start, double perInverse, double inverseOffset) {
         return bitCast<std::int64_t>(start + kFractionMagic + perInverse * inverseOffset) -
                bitCast<std::int64_t>(kFractionMagic);
@@ -71,8 +67,8 @@ struct PlaneLine {
     }
 };
 
-// Values of a plane's rows; the tables are indexed by row. `fogs` is null
-// without fog. Light and fog are stored twice in each entry, once in each half.
+// Values of a plane's rows; the tables are indexed by row. `fogs` is null without fog. Light and
+// fog are stored twice in each entry, once in each half.
 struct PlaneRows {
     const double* inverseOffsets = nullptr;  // 1 / |horizon - (row + 0.5)|
     const std::uint32_t* factors = nullptr;
@@ -83,8 +79,7 @@ constexpr std::uint32_t inBothHalves(std::uint32_t value) {
     return value | value << 16;
 }
 
-// How some rows are shaded: not at all (full light), by light, or by light and
-// fog.
+// How some rows are shaded: not at all (full light), by light, or by light and fog.
 enum class PlaneShade : std::uint8_t { full, dimmed, foggy };
 
 struct PlaneTexels {
@@ -94,8 +89,7 @@ struct PlaneTexels {
     Pixel haze;
 };
 
-// Fills the rows [first, last) of the slice that starts at `column`, all with
-// this shade.
+// Fills the rows [first, last) of the slice that starts at `column`, all with this shade.
 void fillPlane(Pixel* column, int first, int last, const PlaneTexels& texels, PlaneShade shade,
                Lay lay = Lay::opaque);
 
@@ -103,8 +97,8 @@ void fillPlane(Pixel* column, int first, int last, const PlaneTexels& texels, Pl
 void fillFetched(Pixel* column, int first, int last, const Pixel* texels, const PlaneRows& rows,
                  Pixel haze, PlaneShade shade, Lay lay);
 
-// Blends `rows` pixels, in reverse order, over those at `out`: out = (out *
-// (255 - strength) + colour * strength + 127) / 255.
+// Blends `rows` pixels, in reverse order, over those at `out`: out = (out * (255 - strength) +
+// colour * strength + 127) / 255.
 void blendReversed(Pixel* out, int rows, const Pixel* colours, std::uint32_t strength);
 
 // The same with one colour for each row: last[-before[row]].

@@ -152,19 +152,6 @@ struct GridWalk {
         }
     }
 
-    // Catches up with another walk along the same ray in the same map. Copies only changed fields:
-    // a full copy would be read back in other widths and stall store forwarding.
-    void comeTo(const GridWalk& walk) {
-        tileX = walk.tileX;
-        tileY = walk.tileY;
-        entered = walk.entered;
-        x_.distance = walk.x_.distance;
-        x_.along = walk.x_.along;
-        y_.distance = walk.y_.distance;
-        y_.along = walk.y_.along;
-        way_ = walk.way_;
-    }
-
     // Jumps to another tile of its way, which it enters along x or along y, as if it had walked
     // there.
     void comeTo(int x, int y, bool enteredAlongX) {
@@ -182,7 +169,6 @@ struct GridWalk {
     double nextAlongY() const { return y_.along; }
 
     bool hasEntered() const { return way_ != Way::none; }  // false in the eye's own tile
-    bool hasEnteredAlongX() const { return way_ == Way::alongX; }
 
     // See Crossing; and which of two borders at one depth comes first.
     bool isEarly(bool alongX) const { return alongX ? earlyX_ : earlyY_; }

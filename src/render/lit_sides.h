@@ -1,5 +1,5 @@
-// The lit texels of a slice's sides, found before one of them is painted, so
-// that many reads of memory wait together.
+// The lit texels of a slice's sides, found before one of them is painted, so that many reads of
+// memory wait together.
 #pragma once
 
 #include "render/frame.h"

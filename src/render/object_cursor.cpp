@@ -4,12 +4,12 @@ namespace slicecast {
 
 void ObjectCursor::begin(int column, double nearest, double entered) {
     column_ = column;
+    nearest_ = nearest;
     end();
     metDepth_ = 0.0;
     metIndex_ = -1;
     if (view_.vista->objects.none()) return;
-    find(nearest, entered);
-    while (any() && object().along < entered) ++next_;
+    find(entered, entered);
 }
 
 void ObjectCursor::end() {
@@ -22,7 +22,8 @@ void ObjectCursor::end() {
 // made the list longer: what this column has met stays behind it.
 void ObjectCursor::find(double from, double to) {
     const double distance = view_.projection->distance;
-    objects_ = &view_.vista->objects.inColumn(column_, from * distance - 1.0, to * distance + 1.0);
+    objects_ =
+        &view_.vista->objects.inColumn(column_, nearest_ * distance - 1.0, to * distance + 1.0);
     knownTo_ = objects_->to / distance;
     const auto isBehind = [&](const FrameObject& object) {
         return object.along < from || object.depth < metDepth_ ||

@@ -41,6 +41,7 @@ private:
     int column_ = 0;
     const ColumnObjects* objects_ = nullptr;  // null in a map without objects
     std::size_t next_ = 0;                    // of them
+    double nearest_ = 0.0;                    // see begin()
     double knownTo_ = kNever;
     double metDepth_ = 0.0;  // of the last one that was met
     int metIndex_ = -1;

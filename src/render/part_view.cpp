@@ -61,6 +61,17 @@ std::uint32_t PartView::levelsWithPlans(int x, int y) const {
     return found;
 }
 
+// A mirror is opaque; but what mirrors show is seen from below.
+std::uint32_t PartView::withoutLayers(int x, int y, std::uint32_t levels) const {
+    for (std::uint32_t rest = levels; rest != 0; rest &= rest - 1) {
+        const CellBlueprint& block = *blockAt(x, y, std::countr_zero(rest)).blueprint;
+        if (block.seeThrough && !block.hasPortals &&
+            (clip.isMirror || block.face(Face::top).mirror == 0))
+            levels ^= rest & -rest;
+    }
+    return levels;
+}
+
 // Beyond that the rows can meet only the present floor and the sky. If all open rows look down, it
 // is where the flattest of them meets the floor; if all look up, where the flattest of them is
 // above everything but portal tiles, which act at all heights.

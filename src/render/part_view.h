@@ -69,6 +69,9 @@ struct PartView {
     std::int32_t baseOf(int level) const { return tileEdge(level).raw - eyeZ; }
     bool cutToClip(Block& block) const;
     std::uint32_t levelsWithPlans(int x, int y) const;
+    // Of some levels of a tile in the grid, those whose blocks still add to a column with
+    // kMaxLayers.
+    std::uint32_t withoutLayers(int x, int y, std::uint32_t levels) const;
 
     // How far along the ray to walk while the rows [first, last) are open; infinite for ever.
     double whereToStop(int first, int last) const;

@@ -32,9 +32,8 @@ I16x8 wave(U16x8 phase) {
 
 constexpr int kHighestWave = 512;
 
-// How high the waves are at a point, or at eight, in 1/256 units; from
-// -kHighestWave to kHighestWave. Only the low 11 bits of places and step
-// matter.
+// How high the waves are at a point, or at eight, in 1/256 units; from -kHighestWave to
+// kHighestWave. Only the low 11 bits of places and step matter.
 template <typename Place>
 auto waveAt(Place x, Place y, Place step) {
     return (2 * wave((5 * x + 3 * y + 8 * step) >> 3) + wave((9 * y - 4 * x + 8 * step) >> 2) +
@@ -42,8 +41,8 @@ auto waveAt(Place x, Place y, Place step) {
            5;
 }
 
-// By row: the square of its offset from the horizon, divided, 1/262144. The
-// same for all columns that see a mirror's plane.
+// By row: the square of its offset from the horizon, divided, 1/262144. The same for all columns
+// that see a mirror's plane.
 const double* squaresOf(RippleMemory& memory, double perSquare, double horizon, std::size_t rows) {
     for (const RippleMemory::Squares& known : memory.squares) {
         if (known.perSquare == perSquare && known.horizon == horizon && known.byRow.size() == rows)
@@ -163,8 +162,7 @@ const int* findRippledRows(const Frame& frame, int column, const ColumnSpans& fo
     const double perSquare = height * vista.projection->distance;
     const int step = static_cast<int>(frame.world->steps & 1023);
     const int most = frame.rippleRows;
-    // Rows near the horizon show the far water, whose waves are too low to move
-    // anything
+    // Rows near the horizon show the far water, whose waves are too low to move anything
     const double stillOffset =
         std::sqrt(0.499 * 262144.0 / kHighestWave / span.ripples * perSquare);
     const double stillEnd = vista.projection->horizon + stillOffset - 0.5;

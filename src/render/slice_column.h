@@ -95,6 +95,7 @@ public:
     void addFloor(TextureId texture, int first, int last, const TileRange& tiles);
     void mirror(std::int32_t rise, int first, int last, int strength, int ripples);
     bool countLayer();  // false if the column is full
+    bool isFull() const { return found_->isFull(); }
 
     // ---- slice_sides.cpp
     void addSide(const BlockSide& side, const SideView& view, int first, int last);
@@ -155,7 +156,7 @@ inline Span& SliceColumn::addPlane(What what, PlaneLook& look, int first, int la
 }
 
 inline bool SliceColumn::countLayer() {
-    if (found_->isFull()) return false;
+    if (isFull()) return false;
     ++found_->layers;
     return true;
 }

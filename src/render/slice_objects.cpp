@@ -10,7 +10,7 @@ namespace slicecast {
 // Adds the next object's column of texels. A full column has no more objects. A row exactly through
 // the lower edge is on the object, one through the upper edge is not.
 void SliceColumn::meetObject() {
-    if (found_->isFull()) return objects.end();
+    if (isFull()) return objects.end();
     const FrameObject& object = objects.object();
     const SpriteLevel& level = *object.level;
     const int u = std::min(level.width - 1, static_cast<int>(objects.across() * level.width));

@@ -50,9 +50,8 @@ void SlicePainter::paintOpaque(const ColumnSpans& column) {
     paintGathered(rising_);
 }
 
-// Paints layers from back to front. Those of one plane that touch are painted
-// at once; nearer rows of a plane are farther from the horizon, so a run grows
-// away from it.
+// Paints layers from back to front. Those of one plane that touch are painted at once; nearer rows
+// of a plane are farther from the horizon, so a run grows away from it.
 void SlicePainter::paintLayers(const ColumnSpans& column) {
     report_.layers += static_cast<std::int64_t>(column.layers);
     PlaneRun run;
@@ -87,8 +86,7 @@ void SlicePainter::paintLayers(const ColumnSpans& column) {
     paintRun();
 }
 
-// Paints the reflections into an upside down column, and blends it over the
-// mirrors.
+// Paints the reflections into an upside down column, and blends it over the mirrors.
 void SlicePainter::paintReflection(const SliceSpans& slice) {
     Pixel* const pixels = pixels_;
     const std::uint8_t* const waterFogs = waterFogs_;
@@ -164,8 +162,8 @@ TexelColumn SlicePainter::litObject(const Span& span) {
     return column;
 }
 
-// Rows whose rays leave the eye's water before the span have the fog of that
-// distance. They are the upper rows.
+// Rows whose rays leave the eye's water before the span have the fog of that distance. They are the
+// upper rows.
 void SlicePainter::paintTexelsFromWater(const Span& span, TexelColumn column, Lay lay) {
     const std::uint32_t fog = column.fog;
     const Pixel haze = span.vista->lighting.haze;
@@ -190,9 +188,9 @@ void SlicePainter::paintSky(const Span& span) {
     count(span.first, span.last);
 }
 
-// Adds rows to the run of their side of the horizon. Farther rows of a plane
-// are closer to the horizon, so a run grows towards it. An underside in the
-// plane of a ceiling may have its look, but has a light of its own.
+// Adds rows to the run of their side of the horizon. Farther rows of a plane are closer to the
+// horizon, so a run grows towards it. An underside in the plane of a ceiling may have its look, but
+// has a light of its own.
 void SlicePainter::gather(const Span& span) {
     const bool falls = span.look->plane.rise < 0;
     PlaneRun& run = falls ? falling_ : rising_;
@@ -223,9 +221,9 @@ void SlicePainter::paintGathered(PlaneRun& run) {
     run.first = run.last = -1;
 }
 
-// The first and the last rows may be within the rounding error of their tiles'
-// border, or all of them if the ray runs along it. Their texel is clamped, so
-// that the far side of the texture never shows.
+// The first and the last rows may be within the rounding error of their tiles' border, or all of
+// them if the ray runs along it. Their texel is clamped, so that the far side of the texture never
+// shows.
 void SlicePainter::paintPlane(const PlaneRun& run, Lay lay) {
     count(run.first, run.last);
     PlaneLook& look = *run.look;
@@ -243,8 +241,7 @@ void SlicePainter::paintPlane(const PlaneRun& run, Lay lay) {
     paintPlaneRows(run, first, last, points, lay);
 }
 
-// Paints rows whose points are well within the run's tiles, all from one
-// texture.
+// Paints rows whose points are well within the run's tiles, all from one texture.
 void SlicePainter::paintPlaneRows(const PlaneRun& run, int first, int last,
                                   const PlanePoints& points, Lay lay) {
     const PlaneRows rows = run.look->rows(first, last);
@@ -301,9 +298,8 @@ Pixel SlicePainter::texelAt(const PlaneRun& run, const TextureLevel& level,
                  place(v, plane.south));
 }
 
-// Paints rows one by one, slowly: those near tile borders, blocks that have
-// moved sideways, and the rare runs behind turning portals with a point exactly
-// on a border.
+// Paints rows one by one, slowly: those near tile borders, blocks that have moved sideways, and the
+// rare runs behind turning portals with a point exactly on a border.
 void SlicePainter::paintPlaneByRows(const PlaneRun& run, int first, int last,
                                     const PlanePoints& points, Lay lay) {
     if (first == last) return;

@@ -1,5 +1,5 @@
-// Fills the rows of a slice from its spans. The painter knows textures, light
-// and rows, but nothing of the world.
+// Fills the rows of a slice from its spans. The painter knows textures, light and rows, but nothing
+// of the world.
 #pragma once
 
 #include "render/column_fill.h"
@@ -15,8 +15,7 @@ namespace slicecast {
 
 class SlicePainter {
 public:
-    // All three must outlive the painter; `reflected` is scratch memory for a
-    // column.
+    // All three must outlive the painter; `reflected` is scratch memory for a column.
     SlicePainter(const Frame& frame, std::vector<Pixel>& reflected, FrameReport& report)
         : frame_(frame), reflected_(reflected), report_(report), sides_(frame) {}
 

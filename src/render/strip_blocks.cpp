@@ -52,7 +52,7 @@ int insideOf(const StripTile& tile, const Block& block, int up) {
 int leaveDownwards(StripTile& tile, const Block& block, Lanes edgeRows) {
     const Lanes horizon = inAllLanes(tile.view.projection->firstFallingRow);
     const Lanes below = tile.rowsBelow(block.bottom, Border::leave);
-    leaveBottom(tile, block, greater(below, horizon), edgeRows);
+    leavePlane(tile, block, Face::bottom, greater(below, horizon), edgeRows);
     leaveSide(tile, block, greater(tile.rowsBelow(block.top, Border::leave), horizon), below);
     return insideOf(tile, block, -1);
 }
@@ -166,7 +166,7 @@ void meetRising(StripTile& tile, const Blocks& blocks, TextureId ceiling) {
         const Lanes end =
             inAllLanes(isAbove ? view.projection->height : view.projection->firstFallingRow);
         const Lanes below = tile.rowsBelow(block.top, Border::leave);
-        leaveTop(tile, block, edgeRows, lesser(below, end));
+        leavePlane(tile, block, Face::top, edgeRows, lesser(below, end));
         leaveSide(tile, block, below, lesser(tile.rowsBelow(block.bottom, Border::leave), end));
         inside = insideOf(tile, block, 1);
     }

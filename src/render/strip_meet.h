@@ -59,8 +59,7 @@ void leaveSide(StripTile& tile, const Block& block, Lanes first, Lanes last);
 // ---- strip_planes.cpp
 void enterTop(StripTile& tile, const Block& block, Lanes first, Lanes last);
 void enterBottom(StripTile& tile, const Block& block, Lanes first, Lanes last);
-void leaveTop(StripTile& tile, const Block& block, Lanes first, Lanes last);
-void leaveBottom(StripTile& tile, const Block& block, Lanes first, Lanes last);
+void leavePlane(StripTile& tile, const Block& block, Face face, Lanes first, Lanes last);
 
 // ---- strip_joins.cpp
 // Whether a block and the one above it, or below, are parts of one mover: then nothing is between

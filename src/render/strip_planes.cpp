@@ -37,6 +37,7 @@ __attribute__((noinline)) void seePlane(StripTile& tile, const Block& block, Fac
     const LaneValues from(first);
     const LaneValues to(last);
     eachLane(bits, [&](int i) {
+        if (tile.column(i).isFull()) return;
         tile.open.write(i);
         tile.column(i).seeThroughPlane(
             isTop ? SliceColumn::What::roof : SliceColumn::What::underside, plane, from.at[i],
@@ -73,21 +74,12 @@ void enterBottom(StripTile& tile, const Block& block, Lanes first, Lanes last) {
     }
 }
 
-void leaveTop(StripTile& tile, const Block& block, Lanes first, Lanes last) {
-    if (block.blueprint->face(Face::top).portal != kNoPortal) return;
+void leavePlane(StripTile& tile, const Block& block, Face face, Lanes first, Lanes last) {
+    if (block.blueprint->face(face).portal != kNoPortal) return;
     if (block.blueprint->seeThrough) {
-        seePlane(tile, block, Face::top, first, last, true);
-    } else if (!goesOn(tile, block, 1)) {
-        takePlane(tile, block, Face::top, first, last, true);
-    }
-}
-
-void leaveBottom(StripTile& tile, const Block& block, Lanes first, Lanes last) {
-    if (block.blueprint->face(Face::bottom).portal != kNoPortal) return;
-    if (block.blueprint->seeThrough) {
-        seePlane(tile, block, Face::bottom, first, last, true);
-    } else if (!goesOn(tile, block, -1)) {
-        takePlane(tile, block, Face::bottom, first, last, true);
+        seePlane(tile, block, face, first, last, true);
+    } else if (!goesOn(tile, block, face == Face::top ? 1 : -1)) {
+        takePlane(tile, block, face, first, last, true);
     }
 }
 

@@ -23,6 +23,7 @@ __attribute__((noinline)) void seeRows(StripTile& tile, Lanes lanes, const Block
     const LaneValues from(first);
     const LaneValues to(last);
     eachLane(bits, [&](int i) {
+        if (tile.column(i).isFull()) return;
         tile.open.write(i);
         tile.column(i).seeThroughSide(side, views[indexOf(i)], from.at[i], to.at[i]);
         // Opaque texels have closed rows

@@ -124,6 +124,7 @@ void takeSlope(StripTile& tile, const Block& block, const FaceOfSlopes& at, Lane
     const LaneValues from(first);
     const LaneValues to(last);
     eachLane(bitsOf(tile.seen(first, last)), [&](int i) {
+        if (tile.column(i).isFull()) return;
         tile.open.write(i);
         for (const auto& [begin, end] : tile.column(i).open.within(from.at[i], to.at[i])) {
             if (!tile.column(i).countLayer()) return;
@@ -154,8 +155,7 @@ __attribute__((noinline)) void passFace(StripTile& tile, const Block& block, con
     last = lesser(last, firstRowsNotReflected(tile, Border::leave));
     if (bitsOf(tile.seen(first, last)) == 0) return;
     if (at.isSloped) return takeSlope(tile, block, at, first, last);
-    if (leaving)
-        return isTop ? leaveTop(tile, block, first, last) : leaveBottom(tile, block, first, last);
+    if (leaving) return leavePlane(tile, block, at.face, first, last);
     if (isTop) return enterTop(tile, block, first, last);
     if (!block.cut) enterBottom(tile, block, first, last);
 }

@@ -3,13 +3,13 @@
 #include "render/open_slopes.h"
 
 #include <algorithm>
-#include <cmath>
 #include <cstdlib>
 
 namespace slicecast {
 namespace {
 
-// Whether parts begin alike, so that their columns can walk together.
+// Whether parts begin alike, so that their columns can walk together: in one tile, wherever they
+// have entered it.
 bool isAlike(const Part& a, const Part& b) {
     return a.vista == b.vista && a.clip == b.clip && a.before == b.before &&
            a.portals == b.portals && a.walk.tileX == b.walk.tileX && a.walk.tileY == b.walk.tileY &&
@@ -48,8 +48,7 @@ void StripWalk::find(int first, int count, bool withReflection) {
     walkParts(mirrored);
 }
 
-// Walks the present parts of some columns, and those after them. Walking a part
-// may add more parts.
+// Walks the present parts of some columns, and those after them. Walking a part may add more parts.
 void StripWalk::walkParts(unsigned bits) {
     while (bits != 0) {
         const unsigned alike = beginAlike(bits);
@@ -60,9 +59,8 @@ void StripWalk::walkParts(unsigned bits) {
     }
 }
 
-// Begins the present parts of those of the columns that begin as the first one
-// does, and returns which they are. Only one column if the directions of the
-// strip's columns differ too much.
+// Begins the present parts of those of the columns that begin as the first one does, and returns
+// which they are. Only one column if the directions of the strip's columns differ too much.
 unsigned StripWalk::beginAlike(unsigned bits) {
     const int lead = __builtin_ctz(bits);
     const Part& part = columns_[indexOf(lead)].part();
@@ -85,8 +83,7 @@ unsigned StripWalk::beginAlike(unsigned bits) {
     return alike;
 }
 
-// Walks the present parts of the columns in `bits`, which begin alike, to their
-// ends.
+// Walks the present parts of the columns in `bits`, which begin alike, to their ends.
 void StripWalk::walk(unsigned bits) {
     open_.begin(bits);
     StripCover& cover = tile_.cover;
@@ -123,9 +120,10 @@ void StripWalk::walk(unsigned bits) {
 }
 
 void StripWalk::walkSlab() {
-    constexpr int kLast = kLanes - 1;
+    const int one = __builtin_ctz(open_.live());
+    const int other = 31 - __builtin_clz(open_.live());
     const auto [least, most] =
-        std::minmax({nearV_.at[0], nearV_.at[kLast], farV_.at[0], farV_.at[kLast]});
+        std::minmax({nearV_.at[one], nearV_.at[other], farV_.at[one], farV_.at[other]});
     const int lowest = std::max<int>(least, 0);
     const int highest = std::min<int>(most, rays_.sizeV - 1);
     const bool isInGrid = tile_.u >= 0 && tile_.u < rays_.sizeU;
@@ -156,18 +154,19 @@ void StripWalk::visit(int v) {
     if (reached == 0 && floor == tile_.cover.onlyFloor && ceiling == tile_.cover.onlyCeiling &&
         !hasObjects && !isPortal)
         return;
-    slabIsOpen_ = false;
     const unsigned live = open_.live();
     unsigned bits = crossing(v);
     if (bits == 0) return;
+    slabIsOpen_ = false;
     const bool isFirst = isFirstTile(v);
     if (isPortal && !isFirst) {
         tile_.enter(bits);
         enterPortalTile(tile_);
     } else {
-        std::uint32_t plans = reached == 0 || !frame_.world->hasPlans
-                                  ? 0
-                                  : view_.levelsWithPlans(tile_.tileX(), tile_.tileY());
+        const int x = tile_.tileX();
+        const int y = tile_.tileY();
+        if (reached != 0 && areFull(bits)) reached = view_.withoutLayers(x, y, reached);
+        std::uint32_t plans = reached == 0 ? 0 : view_.levelsWithPlans(x, y);
         plans &= reached | reached << 1 | reached >> 1;
         const unsigned divided = isFirst || plans != 0 || isAtEye(bits) ? bits
                                  : hasObjects                           ? withObjects(bits)
@@ -182,6 +181,14 @@ void StripWalk::visit(int v) {
     noticeChange(live);
 }
 
+// Whether no more layers can be added to any of the columns.
+bool StripWalk::areFull(unsigned bits) const {
+    for (; bits != 0; bits &= bits - 1) {
+        if (!columns_[indexOf(__builtin_ctz(bits))].isFull()) return false;
+    }
+    return true;
+}
+
 // Whether some columns enter the tile at distance 0.
 bool StripWalk::isAtEye(unsigned bits) const {
     const unsigned alongU = bitsOf(tile_.enteredAlongU) & bits;
@@ -191,7 +198,7 @@ bool StripWalk::isAtEye(unsigned bits) const {
 // Finds the columns with open rows that pass a tile of the slab, and how.
 unsigned StripWalk::crossing(int v) {
     tile_.v = v;
-    tile_.isDivided = false;
+    tile_.isDivided = tile_.isFirst = false;
     tile_.entersUpward = v > startV_;
     tile_.enteredV = rays_.entersV(v, tile_.entersUpward);
     if (tile_.isWhole) {
@@ -223,16 +230,16 @@ unsigned StripWalk::withObjects(unsigned bits) {
     return found;
 }
 
-// Updates the state after a tile; `live` were the columns with open rows
-// before.
+// Updates the state after a tile; `live` were the columns with open rows before.
 void StripWalk::noticeChange(unsigned live) {
     open_.findEnds();
     eachLane(live & ~open_.live(), [&](int i) {
         countTiles(i, tile_.v);
         open_.write(i);
     });
-    live = open_.live();
     StripCover& cover = tile_.cover;
+    cover.changed |= live != open_.live();
+    live = open_.live();
     if (!cover.changed || live == 0) return;
     cover.changed = false;
     const int one = __builtin_ctz(live);

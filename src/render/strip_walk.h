@@ -1,25 +1,22 @@
-// The walk of a strip's 16 columns together over the grid: each tile is
-// examined once, front to back, for all columns that pass it. It finds what
-// their rays meet, as spans.
+// The walk of a strip's 16 columns together over the grid: each tile is examined once, front to
+// back, for all columns that pass it. It finds what their rays meet, as spans.
 //
-//      +---+---+---+---+        The rays run mostly along the major axis, u. A
-//      slab is the |   |   | . |.  |  ^     tiles between two borders of u.
-//      Within it the columns pass |   | . |.' |   |  |     a few neighbouring
-//      tiles. Tiles are examined slab by slab, | o:' ' |   |   |  v     and in
-//      a slab from the eye's row outward: for each column
+//      +---+---+---+---+        The rays run mostly along the major axis, u. A slab is the
+//      |   |   | . |.  |  ^     tiles between two borders of u. Within it the columns pass
+//      |   | . |.' |   |  |     a few neighbouring tiles. Tiles are examined slab by slab,
+//      | o:' ' |   |   |  v     and in a slab from the eye's row outward: for each column
 //      +---+---+---+---+        that is front to back.
 //        u -->
 //
-// A filled row is closed, so each pixel has one opaque span, and the walk of a
-// column ends when no row is open. Columns go on behind portals and in mirrors
-// by parts (parts.h): those that begin there alike walk together again. A
-// single column is a strip, too.
+// A filled row is closed, so each pixel has one opaque span, and the walk of a column ends when no
+// row is open. Columns go on behind portals and in mirrors by parts (parts.h): those that begin
+// there alike walk together again. A single column is a strip, too.
 //
 // strip_walk.cpp        from part to part and from tile to tile
 // strip_slabs.cpp       which columns pass which tiles of a slab
-// strip_stretches.cpp   tiles that are divided: by plans and by objects, and
-// the first one strip_ends.cpp        what lies outside the grid, or beyond all
-// that can be met strip_meet.h          what is in a tile
+// strip_stretches.cpp   tiles that are divided: by plans and by objects, and the first one
+// strip_ends.cpp        what lies outside the grid, or beyond all that can be met
+// strip_meet.h          what is in a tile
 #pragma once
 
 #include "render/plan_walk.h"
@@ -52,16 +49,16 @@ struct StripScratch {
 
 class StripWalk {
 public:
-    // `cut` examines the texels of see-through sides and objects, `whole` takes
-    // them as they are: see PartView::cuts.
+    // `cut` examines the texels of see-through sides and objects, `whole` takes them as they are:
+    // see PartView::cuts.
     enum class SeeThrough { whole, cut };
 
     // All must outlive the walk.
     StripWalk(const Frame& frame, StripScratch& scratch, FrameReport& report,
               SeeThrough seeThrough = SeeThrough::cut);
 
-    // Finds what all rows of the columns [first, first + count) show, 1 to 16 of
-    // them; writes the first elements of scratch.found.
+    // Finds what all rows of the columns [first, first + count) show, 1 to 16 of them; writes the
+    // first elements of scratch.found.
     void find(int first, int count, bool withReflection = true);
 
 private:
@@ -75,6 +72,7 @@ private:
     void walk(unsigned bits);
     void walkSlab();
     void visit(int v);
+    bool areFull(unsigned bits) const;
     bool isAtEye(unsigned bits) const;
     unsigned crossing(int v);
     __attribute__((noinline)) unsigned withObjects(unsigned bits);
