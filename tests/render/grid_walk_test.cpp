@@ -205,21 +205,6 @@ TEST(GridWalk, AQuarterTurn) {
     EXPECT_EQ(turned.entered, 1.5);
 }
 
-TEST(GridWalk, ComesToWhereAnotherOneIs) {
-    GridWalk walk(toCoordinate(0.3), toCoordinate(0.6), {3.0, -2.0});
-    GridWalk ahead = walk;
-    for (int i = 0; i < 5; ++i) ahead.advance();
-    walk.comeTo(ahead);
-    for (int i = 0; i < 5; ++i) {
-        EXPECT_EQ(walk.tileX, ahead.tileX);
-        EXPECT_EQ(walk.tileY, ahead.tileY);
-        expectSame(walk.enter(), ahead.enter());
-        expectSame(walk.leave(), ahead.leave());
-        walk.advance();
-        ahead.advance();
-    }
-}
-
 // The quick way to a row and the exact quotient agree, for edges right on rows' middles too.
 // From any tile of its way to any later one at once: as if it had walked there.
 TEST(GridWalk, ComesToATileOfItsWay) {
