@@ -21,9 +21,7 @@ bool isAlike(const Part& a, const Part& b) {
 template <std::size_t... index>
 StripWalk::StripWalk(const Frame& frame, StripScratch& scratch, FrameReport& report,
                      SeeThrough seeThrough, std::index_sequence<index...>)
-    : frame_(frame),
-      scratch_(scratch),
-      report_(report),
+    : scratch_(scratch),
       view_(frame, seeThrough == SeeThrough::cut),
       open_(scratch.open),
       columns_{SliceColumn(view_, scratch.open.rows[index], report)...},

@@ -104,9 +104,7 @@ private:
     ColumnStretches& stretchesOf(int lane) { return scratch_.stretches[indexOf(lane)]; }
     bool isFirstTile(int v) const { return tile_.u == startU_ && v == startV_; }
 
-    const Frame& frame_;
     StripScratch& scratch_;
-    FrameReport& report_;
     PartView view_;
     StripRays rays_;
     OpenLanes open_;
