@@ -24,8 +24,8 @@ public:
     void find(const ColumnSpans& column);
     // Whether a side's texels are kept with the baked light on them.
     bool isKept(const Span& span) const;
-    // The lit texels, of a side's column, of one that is kept. Opaque ones must
-    // be asked for in their order.
+    // The lit texels of a side's column, if they are kept. Opaque sides are asked for in their
+    // order.
     const Pixel* of(const Span& span);
 
 private:

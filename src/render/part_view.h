@@ -65,6 +65,9 @@ struct PartView {
         const std::int32_t base = baseOf(level);
         return {&blueprint, level, base + blueprint.bottom.raw, base + blueprint.top.raw, false};
     }
+    const CellBlueprint& blueprintAt(int x, int y, int level) const {
+        return frame.world->blueprints[map->cell(x, y, level)];  // empty outside the grid
+    }
     // Of a level, above the eye.
     std::int32_t baseOf(int level) const { return tileEdge(level).raw - eyeZ; }
     bool cutToClip(Block& block) const;

@@ -48,6 +48,7 @@ TileRange StripWalk::endlessFrom(int i) const {
 // Ends the parts of some columns behind their last tile of the slab; `isOut` if they leave the
 // grid there.
 void StripWalk::endBeyond(unsigned bits, bool isOut) {
+    if (bits == 0) return;
     for (unsigned rest = bits; rest != 0;) {
         const int lead = __builtin_ctz(rest);
         const auto lastOf = [&](int i) { return std::clamp<int>(farV_.at[i], 0, rays_.sizeV - 1); };
@@ -65,6 +66,7 @@ void StripWalk::endBeyond(unsigned bits, bool isOut) {
     }
     open_.close(bits);
     open_.findEnds();
+    tile_.cover.changed = true;
 }
 
 // The ceiling ends with the grid; the floor goes on as the map's own.

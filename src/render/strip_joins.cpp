@@ -34,9 +34,10 @@ const CellBlueprint* joinedBeyond(const StripTile& tile, const Block& block, con
     return joined != nullptr && joined->isBox() && block.blueprint->isBox() ? joined : nullptr;
 }
 
-const CellBlueprint* joinedBeyond(const StripTile& tile, const Block& block, const Portal& portal) {
+const CellBlueprint* joinedBeyond(const StripTile& tile, const Block& block, const Portal& portal,
+                                  int level) {
     const Map& map = tile.view.frame.world->maps[static_cast<std::size_t>(portal.toMap)];
-    return joinedBeyond(tile, block, map, portal.toX, portal.toY, block.level + portal.levels);
+    return joinedBeyond(tile, block, map, portal.toX, portal.toY, level + portal.levels);
 }
 
 const CellBlueprint* joinedBefore(const StripTile& tile, const Block& block,
@@ -54,12 +55,12 @@ const CellBlueprint* joinedNear(const StripTile& tile, const Block& block, const
     const PartView& view = tile.view;
     const World& world = *view.frame.world;
     const bool isAhead = border == Border::leave;
-    const int onward = tile.at(border) != End::border ? 0 : at.nearing == isAhead ? 1 : -1;
-    const int x = tile.tileX() + (at.alongX ? onward : 0);
-    const int y = tile.tileY() + (at.alongX ? 0 : onward);
+    const auto place = tile.beyond(at, border);
+    const int x = place.first;
+    const int y = place.second;
     const CellBlueprint* joined = joinedAt(tile, block, *view.map, x, y, block.level);
     if (joined == nullptr && block.blueprint->mover >= 0) {
-        const CellBlueprint& next = world.blueprints[view.map->cell(x, y, block.level)];
+        const CellBlueprint& next = view.blueprintAt(x, y, block.level);
         if (areOneAlong(world, *block.blueprint, next, at.alongX ? Axis::x : Axis::y))
             joined = &next;
     }
@@ -82,7 +83,7 @@ bool goesOn(const StripTile& tile, const Block& block, int up) {
     if (block.blueprint->mover < 0 || !reaches(*block.blueprint, up) ||
         tile.isAbsent(block.level + up) || isClipped(tile, block, up))
         return false;
-    const CellBlueprint& next = tile.blockNear(0, 0, block.level + up);
+    const CellBlueprint& next = tile.view.blueprintAt(tile.tileX(), tile.tileY(), block.level + up);
     return areOneMover(*block.blueprint, next) && reaches(next, -up);
 }
 
@@ -100,15 +101,12 @@ bool joinsNext(const StripTile& tile, const Block& block, int up, bool leaving) 
                                                         before.y, level - before.levels));
     }
     if (tile.isAbsent(level)) return false;
-    const CellBlueprint& next = tile.blockNear(0, 0, level);
+    const CellBlueprint& next = view.blueprintAt(tile.tileX(), tile.tileY(), level);
     const PortalId portal =
         reachesEnd(next, -up) ? next.face(up > 0 ? Face::bottom : Face::top).portal : kNoPortal;
     if (!leaving || !view.acts(portal, false))
         return touches(joinedAt(tile, block, *view.map, tile.tileX(), tile.tileY(), level));
-    const World& world = *view.frame.world;
-    const Portal& to = world.portals[portal];
-    return touches(joinedBeyond(tile, block, world.maps[static_cast<std::size_t>(to.toMap)], to.toX,
-                                to.toY, level + to.levels));
+    return touches(joinedBeyond(tile, block, view.frame.world->portals[portal], level));
 }
 
 }  // namespace slicecast

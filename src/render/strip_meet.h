@@ -78,7 +78,8 @@ const CellBlueprint* joinedNear(const StripTile& tile, const Block& block, const
 // slopes.
 const CellBlueprint* joinedBeyond(const StripTile& tile, const Block& block, const Map& map, int x,
                                   int y, int level);
-const CellBlueprint* joinedBeyond(const StripTile& tile, const Block& block, const Portal& portal);
+const CellBlueprint* joinedBeyond(const StripTile& tile, const Block& block, const Portal& portal,
+                                  int level);
 
 // ---- strip_passages.cpp
 // Whether the portal of a roof, or of an underside, acts.

@@ -42,9 +42,7 @@ void seeUnjoined(StripTile& tile, const CrossingLanes& crossing, const Block& bl
     if (joined == nullptr) return seeRows(tile, crossing.lanes, side, at, first, last);
     seeRows(tile, crossing.lanes & ~touching, side, at, first, last);
     if (joined->slopes.any() || own.slopes.any()) {
-        const int onward = tile.at(at) != End::border ? 0 : crossing.nearing == !entering ? 1 : -1;
-        const int x = tile.tileX() + (crossing.alongX ? onward : 0);
-        const int y = tile.tileY() + (crossing.alongX ? 0 : onward);
+        const auto [x, y] = tile.beyond(crossing, at);
         const Lanes top = rowsOfFace(tile, *joined, Face::top, x, y, block.level, at);
         const Lanes bottom = rowsOfFace(tile, *joined, Face::bottom, x, y, block.level, at);
         const Lanes isHidden = top < bottom;
@@ -79,22 +77,21 @@ void leaveThroughSide(StripTile& tile, const CrossingLanes& crossing, const Bloc
         seeUnjoined(tile, crossing, block, joined, touching, Border::leave, from, to);
     };
     if (tile.stretch.leaves == End::edge) return see(nullptr, first, last);
-    const int onward = crossing.nearing ? 1 : -1;
-    const int dx = crossing.alongX ? onward : 0;
-    const int dy = crossing.alongX ? 0 : onward;
+    const auto [x, y] = tile.beyond(crossing, Border::leave);
     const bool mayPass = view.portals < world.portalLimit;
-    if (const PortalId portal = view.map->tilePortal(tile.tileX() + dx, tile.tileY() + dy);
-        portal != kNoPortal)
-        return see(mayPass ? joinedBeyond(tile, block, world.portals[portal]) : nullptr, first,
-                   last);
-    const CellBlueprint& behind = tile.blockNear(dx, dy, block.level);
+    const auto joinedThrough = [&](PortalId portal) {
+        return joinedBeyond(tile, block, world.portals[portal], block.level);
+    };
+    if (const PortalId portal = view.map->tilePortal(x, y); portal != kNoPortal)
+        return see(mayPass ? joinedThrough(portal) : nullptr, first, last);
+    const CellBlueprint& behind = view.blueprintAt(x, y, block.level);
     const PortalId portal = behind.face(enteredFace(crossing.crossing())).portal;
     if (portal == kNoPortal || !mayPass) {
         const CellBlueprint* const joined =
             joinedNear(tile, block, crossing, Border::leave, touching);
         return see(joined, first, last);
     }
-    const CellBlueprint* const joined = joinedBeyond(tile, block, world.portals[portal]);
+    const CellBlueprint* const joined = joinedThrough(portal);
     if (joined == nullptr) return see(nullptr, first, last);
     const std::int32_t base = view.baseOf(block.level);
     const Lanes top = tile.rowsBelow(base + behind.top.raw, Border::leave);

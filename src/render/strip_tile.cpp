@@ -104,6 +104,12 @@ Crossing StripTile::crossingOf(int lane, Border at) const {
         distance / speed, distance, speed, rowsPerRaw, isX, nearing, columns[i].walk.isEarly(isX)};
 }
 
+std::pair<int, int> StripTile::beyond(const CrossingLanes& crossing, Border border) const {
+    if (at(border) != End::border) return {tileX(), tileY()};
+    const int onward = crossing.nearing == (border == Border::leave) ? 1 : -1;
+    return {tileX() + (crossing.alongX ? onward : 0), tileY() + (crossing.alongX ? 0 : onward)};
+}
+
 std::span<const CrossingLanes> StripTile::crossings(Border at) {
     const bool entering = at == Border::enter;
     std::size_t count = 0;
@@ -142,31 +148,18 @@ const StripTile::SideViews& StripTile::viewsAt(Border at) {
     if (known) return views;
     known = true;
     const Lighting& lighting = view.vista->lighting;
-    const LaneValues alongU(entering ? enteredAlongU : leftAlongU);
     const double baseV = rays.fractionV + (rays.eyeV - v);
     const double baseU = rays.fractionU + (rays.eyeU - u);
     eachLane(bitsOf(mask), [&](int lane) {
         const std::size_t i = indexOf(lane);
-        bool isU;
-        double distance;
-        double speed;
-        if (isDivided) {
-            const Crossing& crossing = (entering ? enters : leaves)[i];
-            isU = crossing.alongX == rays.alongX;
-            distance = crossing.distance;
-            speed = crossing.speed;
-        } else {
-            isU = alongU.at[i] != 0;
-            distance = isU        ? (entering ? near : far)
-                       : entering ? enteredV
-                                  : rays.leavesV(v, rays.stepV[i] > 0);
-            speed = isU ? rays.speedU[i] : rays.speedV[i];
-        }
+        const Crossing crossing = crossingOf(lane, at);
+        const bool isU = crossing.alongX == rays.alongX;
         // Along y for sides facing east and west, along x for the others
         const double across = isU ? rays.rayV[i] : rays.speedU[i] * rays.stepU;
         SideView& side = views[i];
-        side.along = distance / speed;
-        side.fraction = fractionBits((isU ? baseV : baseU) + across * distance / speed);
+        side.along = crossing.along;
+        side.fraction =
+            fractionBits((isU ? baseV : baseU) + across * crossing.distance / crossing.speed);
         side.depth = side.along * view.projection->distance;
         side.brightness = lighting.brightnessAt(side.depth);
         side.fog = lighting.fogAt(side.depth);

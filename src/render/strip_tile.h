@@ -11,6 +11,7 @@
 #include <cstddef>
 #include <cstdint>
 #include <span>
+#include <utility>
 #include <vector>
 
 namespace slicecast {
@@ -82,10 +83,8 @@ public:
     int tileY() const { return rays.alongX ? v : u; }
     TileRange here() const { return {tileX(), tileY(), tileX(), tileY(), false}; }
     bool isArrival() const { return view.isArrival(tileX(), tileY()); }
-    // The block of a neighbour tile, or above or below in this one.
-    const CellBlueprint& blockNear(int dx, int dy, int level) const {
-        return view.frame.world->blueprints[view.map->cell(tileX() + dx, tileY() + dy, level)];
-    }
+    // The tile on the other side of a border; of an edge or an object within the tile, this one.
+    std::pair<int, int> beyond(const CrossingLanes& crossing, Border border) const;
 
     // Columns enter the tile, all or some.
     void enter(unsigned bits);
