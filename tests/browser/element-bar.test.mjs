@@ -157,6 +157,7 @@ test('full screen by the button and by F', async (t) => {
   await button(page, 'Leave full screen').click();
   await page.waitForFunction(() => document.fullscreenElement === null);
   await page.click('#a');
+  await page.waitForFunction(() => document.getElementById('a').entered);
   await page.keyboard.press('f');
   await page.waitForFunction(() => document.fullscreenElement?.id === 'a');
 });
