@@ -19,7 +19,6 @@
 #include "render/projection.h"
 #include "world/blueprint.h"
 
-#include <algorithm>
 #include <cstdint>
 #include <limits>
 #include <utility>
@@ -58,28 +57,14 @@ struct Crossing {
     bool hasSides() const { return border || inner; }
 };
 
-// By the exact quotient; rarely needed.
-inline int firstRowBelowExactly(const Projection& projection, std::int32_t rise,
-                                const Crossing& border) {
-    if (rise == 0) return projection.firstFallingRow;
-    const double height = rise / 65536.0;
-    return projection.firstRowBelowRow(projection.horizon - height * border.speed / border.distance,
-                                       (rise > 0) == border.early);
-}
-
 // The first row whose ray passes below a height, `rise` 1/65536 units above the eye, where it
 // crosses a border; rows above it pass at or above that height.
 inline int firstRowBelow(const Projection& projection, std::int32_t rise, const Crossing& border) {
-    const double below = std::min(std::max(projection.horizonBelow - rise * border.rowsPerRaw, 0.5),
-                                  projection.heightBelow);
-    // Adding this to a number below 2^16 leaves 16 bits of its fraction at the end of the double's
-    // bits: cheaper than a conversion.
-    constexpr double kMagic = 103079215104.0;  // 1.5 * 2^36
-    const auto fixed = static_cast<std::uint32_t>(bitCast<std::uint64_t>(below + kMagic));
-    // Near the middle of a row the sum's rounding could decide; there the exact quotient and the
-    // tie rule do.
-    if (((fixed + 1) & 0xffff) < 3) return firstRowBelowExactly(projection, rise, border);
-    return static_cast<int>(fixed >> 16);
+    if (rise == 0) return projection.firstFallingRow;
+    if (border.distance <= 0.0) return rise > 0 ? 0 : projection.height;
+    const double height = rise / 65536.0;
+    return projection.firstRowBelowRow(projection.horizon - height * border.speed / border.distance,
+                                       (rise > 0) == border.early);
 }
 
 // The face of the next tile through which a crossing leads, and the face of the tile left behind.

@@ -57,7 +57,6 @@ Crossing PlainWalk::crossingAt(const FrameObject& object) const {
     at.along = object.along;
     at.distance = object.depth;
     at.speed = projection().distance;
-    at.rowsPerRaw = projection().distance / object.depth * (1.0 / 65536.0);
     at.border = false;
     return at;
 }

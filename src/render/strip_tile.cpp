@@ -54,9 +54,12 @@ void StripTile::findRowsPerRaw() {
     }
 }
 
-// The same as firstRowBelow, for all columns that pass the tile.
+// The same as firstRowBelow, for all columns that pass the tile. Near the middle of a row the
+// product's rounding could decide; there the exact quotient and the tie rule do.
 Lanes StripTile::rowsBelow(std::int32_t rise, Border at) const {
-    constexpr double kMagic = 103079215104.0;  // see firstRowBelow
+    // Adding this to a number below 2^16 leaves 16 bits of its fraction at the end of the double's
+    // bits: cheaper than a conversion.
+    constexpr double kMagic = 103079215104.0;  // 1.5 * 2^36
     const Projection& projection = *view.projection;
     const double* const perRaw = (at == Border::enter ? entered_ : left_).data();
     const double height = rise;
@@ -81,7 +84,7 @@ Lanes StripTile::exactRows(Lanes rows, unsigned bits, std::int32_t rise, Border 
     LaneValues values(rows);
     eachLane(bits, [&](int i) {
         values.at[i] = static_cast<std::int16_t>(
-            firstRowBelowExactly(*view.projection, rise, crossingOf(i, at)));
+            firstRowBelow(*view.projection, rise, crossingOf(i, at)));
     });
     return values.lanes();
 }

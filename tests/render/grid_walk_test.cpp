@@ -227,38 +227,6 @@ TEST(GridWalk, ComesToATileOfItsWay) {
     }
 }
 
-TEST(FirstRowBelow, EqualsTheExactQuotients) {
-    Random random(4);
-    for (int i = 0; i < 20000 && !testing::Test::HasFailure(); ++i) {
-        const int width = random.between(1, 400);
-        const int height = random.between(1, 300);
-        const bool round = random.oneIn(2);  // numbers that meet rows' middles
-        const RenderOptions options = {.fovDegrees = round ? 90.0 : random.between(10.0, 150.0)};
-        const Eye eye = {
-            .x = {},
-            .y = {},
-            .z = tileEdge(1),
-            .headingDegrees = round ? 90.0 * random.below(4) : random.between(0.0, 360.0),
-            .look = round ? 0.0 : random.between(-4.0, 4.0)};
-        const Projection projection(eye, options, width, height);
-        const int part = round ? 8192 : 1;
-        GridWalk walk({random.between(-1 << 17, 1 << 17) / part * part},
-                      {random.between(-1 << 17, 1 << 17) / part * part},
-                      projection.ray(random.below(width)));
-        for (int tile = 0; tile < 5; ++tile) {
-            const Crossing leave = walk.leave();
-            const std::int32_t rise = random.between(-1 << 18, 1 << 18) / part * part;
-            if (leave.distance > 0.0) {
-                EXPECT_EQ(firstRowBelow(projection, rise, leave),
-                          firstRowBelowExactly(projection, rise, leave))
-                    << "rise " << rise << ", distance " << leave.distance << ", speed "
-                    << leave.speed << ", horizon " << projection.horizon;
-            }
-            walk.advance();
-        }
-    }
-}
-
 // At depth 0 a height above the eye is above all rows, one below it below them, and its own height
 // is the horizon.
 TEST(FirstRowBelow, AtTheEye) {
