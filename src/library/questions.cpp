@@ -1,6 +1,6 @@
 // What a Game tells about its cells, rays and pixels.
 #include "library/game_state.h"
-#include "render/cast.h"
+#include "render/ask/cast.h"
 #include "session/frame_trace.h"
 #include "session/pick.h"
 #include "session/trace_json.h"

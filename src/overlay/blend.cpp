@@ -1,6 +1,6 @@
 #include "overlay/blend.h"
 
-#include "render/vectors.h"
+#include "render/pixels/vectors.h"
 
 #include <algorithm>
 #include <cstdint>

@@ -2,7 +2,7 @@
 
 #include "overlay/layout.h"
 #include "overlay/lines.h"
-#include "render/projection.h"
+#include "render/view/projection.h"
 #include "world/line_of_sight.h"
 
 #include <algorithm>

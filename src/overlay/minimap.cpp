@@ -1,6 +1,7 @@
 #include "overlay/minimap.h"
 
 #include "base/angle.h"
+#include "classic/level_ray.h"
 #include "overlay/blend.h"
 #include "overlay/layout.h"
 #include "overlay/map_ray.h"
@@ -8,7 +9,6 @@
 #include "overlay/minimap_objects.h"
 #include "overlay/minimap_tiles.h"
 #include "overlay/minimap_view.h"
-#include "render/classic/level_ray.h"
 
 #include <algorithm>
 #include <cmath>

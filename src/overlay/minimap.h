@@ -24,8 +24,8 @@
 // never into the map behind it.
 #pragma once
 
+#include "classic/classic_options.h"
 #include "overlay/minimap_map.h"
-#include "render/classic/classic_options.h"
 #include "render/eye.h"
 #include "slicecast/picture.h"
 #include "world/world.h"

@@ -1,6 +1,6 @@
 #include "render/crew_renderer.h"
 
-#include "render/strip.h"
+#include "render/pixels/strip.h"
 
 #include <algorithm>
 #include <atomic>

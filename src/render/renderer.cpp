@@ -1,10 +1,10 @@
 #include "render/renderer.h"
 
-#include "render/frame.h"
-#include "render/slice_paint.h"
-#include "render/slice_trace.h"
-#include "render/strip.h"
-#include "render/strip_walk.h"
+#include "render/ask/slice_trace.h"
+#include "render/paint/slice_paint.h"
+#include "render/pixels/strip.h"
+#include "render/strips/strip_walk.h"
+#include "render/view/frame.h"
 
 #include <algorithm>
 #include <optional>

@@ -14,7 +14,7 @@
 #pragma once
 
 #include "render/eye.h"
-#include "render/lit_maps.h"
+#include "render/light/lit_maps.h"
 #include "render/options.h"
 #include "render/trace.h"
 #include "slicecast/picture.h"

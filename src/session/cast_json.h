@@ -1,4 +1,4 @@
-// A free ray (render/cast.h) as JSON:
+// A free ray (render/ask/cast.h) as JSON:
 //
 //     { "map", "x", "y", "z", "heading",        its start; z is null without a height
 //       "ray": [x, y],                          its direction, of length 1
@@ -20,7 +20,7 @@
 //                "map", "point": [x, y], "distance" } }
 #pragma once
 
-#include "render/cast.h"
+#include "render/ask/cast.h"
 #include "session/json_text.h"
 
 namespace slicecast {

@@ -2,7 +2,7 @@
 
 #include "base/angle.h"
 #include "base/image.h"
-#include "render/classic/draw_classic.h"
+#include "classic/draw_classic.h"
 #include "slicecast/colour.h"
 #include "world/map_entry.h"
 #include "world/player.h"

@@ -3,7 +3,7 @@
 // a player can stand or fly, spread over all maps. So whoever searches can stop after any of them.
 #pragma once
 
-#include "render/classic/classic_options.h"
+#include "classic/classic_options.h"
 #include "render/eye.h"
 #include "render/options.h"
 #include "world/world.h"

@@ -2,7 +2,7 @@
 // settings, or by a key. One table holds the name, kind, range, default and description of each.
 #pragma once
 
-#include "render/classic/classic_options.h"
+#include "classic/classic_options.h"
 #include "render/options.h"
 #include "session/light_presets.h"
 #include "slicecast/option.h"

@@ -1,6 +1,6 @@
 #include "session/pick.h"
 
-#include "render/projection.h"
+#include "render/view/projection.h"
 #include "session/hits_json.h"
 #include "session/trace_json.h"
 

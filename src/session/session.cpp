@@ -2,11 +2,11 @@
 
 #include "base/angle.h"
 #include "base/hash.h"
+#include "classic/draw_classic.h"
 #include "overlay/divider.h"
 #include "overlay/panels.h"
 #include "overlay/pixel_grid.h"
 #include "overlay/slice_inspector.h"
-#include "render/classic/draw_classic.h"
 #include "world/crowd.h"
 #include "world/map_entry.h"
 #include "world/water.h"

@@ -93,7 +93,7 @@ struct WayPart {
 };
 
 // The part of a way over a plan in tile (x, y) that lies within `part`; nothing if there is none.
-// Rounded: for pictures see render/plan_walk.h.
+// Rounded: for pictures see render/spans/plan_walk.h.
 constexpr std::optional<WayPart> wayOver(const Plan& plan, int x, int y, double fromX, double fromY,
                                          double directionX, double directionY, WayPart part) {
     const auto cut = [&part](double low, double high, double from, double direction) {

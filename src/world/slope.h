@@ -101,7 +101,7 @@ struct WayPoint {
 
 // The part of a way between the underside and the top of a block in tile (x, y), whose level's base
 // is at height `base`, that lies within `part`; nothing if there is none. Rounded: for pictures see
-// render/sloped_plane.h.
+// render/spans/sloped_plane.h.
 constexpr std::optional<WayPart> wayBetween(const Slopes& slopes, int x, int y, double base,
                                             const WayPoint& from, const WayPoint& direction,
                                             WayPart part) {

@@ -1,7 +1,7 @@
 #include "limit_kernel.h"
 
 #include "base/random.h"
-#include "render/vectors.h"
+#include "render/pixels/vectors.h"
 
 #include <algorithm>
 #include <cmath>

@@ -1,7 +1,7 @@
 #include "phases.h"
 
 #include "processor_time.h"
-#include "render/slice_paint.h"
+#include "render/paint/slice_paint.h"
 
 #include <algorithm>
 #include <utility>

@@ -8,9 +8,9 @@
 // strip is painted over and over, all its texels are there (15 % shorter).
 #pragma once
 
-#include "render/frame.h"
-#include "render/strip.h"
-#include "render/strip_walk.h"
+#include "render/pixels/strip.h"
+#include "render/strips/strip_walk.h"
+#include "render/view/frame.h"
 #include "session/session.h"
 #include "slicecast/picture.h"
 

@@ -5,7 +5,7 @@
 #include "random_scene.h"
 #include "suite.h"
 
-#include "render/classic/draw_classic.h"
+#include "classic/draw_classic.h"
 #include "sanitized.h"
 
 #include <gtest/gtest.h>

@@ -2,7 +2,7 @@
 #include "base/random.h"
 #include "light_tracer.h"
 #include "random_scene.h"
-#include "render/lit_maps.h"
+#include "render/light/lit_maps.h"
 #include "sanitized.h"
 #include "world_builder.h"
 

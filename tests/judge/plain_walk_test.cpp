@@ -5,8 +5,8 @@
 #include "random_scene.h"
 #include "suite.h"
 
+#include "plain_walk.h"
 #include "raw_span_text.h"
-#include "render/plain_walk.h"
 #include "render/slice_stage.h"
 #include "sanitized.h"
 

@@ -5,7 +5,7 @@
 //     rows   40-64         floor        map 0  tile 1,4 to 3,4  texture 2  rise -32768 light 1
 #pragma once
 
-#include "render/slice_spans.h"
+#include "render/spans/slice_spans.h"
 
 #include <cmath>
 #include <cstdio>

@@ -1,34 +1,42 @@
-# Fails when a part of src includes what it may not know.
+# Fails when a room of src includes what it may not know.
 #
 #     cmake [-DSOURCES=FOLDER] -P check_layers.cmake        FOLDER: what to look at instead of src
 cmake_minimum_required(VERSION 3.22)
 
-# Each row: a part, the parts that its sources may include besides itself.
+# Each row: a room, which is a folder with sources, and the rooms that these may include besides
+# their own. A room sees nothing of one below it in this list, so there are no cycles.
 set(may_base "")
 set(may_world base)
 set(may_scene world base)
-set(may_render world base)
-set(may_overlay render world base)
-set(may_session overlay render scene world base)
+set(may_render/pixels world base)
+set(may_render/light render/pixels world base)
+set(may_render/view render/light render/pixels world base)
+set(may_render/spans render/view render/light render/pixels world base)
+set(may_render/column render/spans render/view render/light render/pixels world base)
+set(may_render/strips render/column render/spans render/view render/light render/pixels world base)
+set(may_render/paint render/spans render/view render/light render/pixels world base)
+set(may_render/ask render/paint render/spans render/view render/light render/pixels world base)
+set(may_render render/ask render/paint render/strips render/view render/light render/pixels world base)
+set(may_classic render/spans render/view render/light render/pixels world base)
+set(may_overlay classic render render/view render/pixels world base)
+set(may_session overlay classic render render/ask render/view scene world base)
 set(may_files session overlay render scene world base)
 set(may_app files session overlay render scene world base)
 set(may_wasm ${may_app} app)
 set(may_headless ${may_app})
-set(may_library ${may_files} files)
+set(may_library ${may_files} files render/ask)
 set(may_examples "")
 
-# src/include/slicecast is what others include. Its headers know each other and nothing else; of
-# them every part shares the plain data, and the library alone has the rest.
-set(plainData "cell_change|colour|face|fault|half|image|input|mark|option|picture|place|sound|trace")
+# Plain data of the renderer that its rooms share, and `classic`, which is no part of it.
+set(renderData "render/(eye|options|trace)\\.h")
 
-# The slow renderer of the old ways finds by itself what a pixel shows. It shares plain data with the
-# fast one, which knows nothing of it, and asks that one's parts what colour a point of a face or of
-# the sky has.
-set(classicShares "classic/[a-z_]+|eye|options|shading|trace|projection|detail|light_scene|lit_maps|lit_texels|smooth_texels|sky_layers|ripples")
+# src/include/slicecast is what others include. Its headers know each other and nothing else; of
+# them every room shares the plain data, and the library alone has the rest.
+set(plainData "cell_change|colour|face|fault|half|image|input|mark|option|picture|place|sound|trace")
 
 # The engine draws and simulates the same everywhere: no screen, no clock, no printing, and none of
 # the library functions whose last bit differs.
-set(engine base world scene render overlay session)
+set(engine base world scene render classic overlay session)
 set(engineHeadersRefused "SDL[^>\"]*|emscripten[^>\"]*|chrono|ctime|time.h|iostream|fstream|filesystem|random|thread|cstdio|sstream")
 set(engineCallsRefused "std::(sin|cos|tan|asin|acos|atan|atan2|exp|exp2|pow|hypot|log|log2|log10|cbrt|sinf|cosf|tanf|fma)")
 # These bring kilobytes into a page; base/words.h, number_text.h and sort.h do with little.
@@ -46,30 +54,28 @@ endif()
 set(faults)
 foreach(source ${sources})
   string(REGEX REPLACE "/.*" "" part ${source})
+  get_filename_component(room ${source} DIRECTORY)
   if(part STREQUAL include)
     set(part slicecast)
+    set(room slicecast)
     set(may_slicecast "")
   endif()
-  if(NOT DEFINED may_${part})
-    list(APPEND faults "${source}: src has no part \"${part}\".")
+  if(NOT DEFINED may_${room})
+    list(APPEND faults "${source}: src has no room \"${room}\".")
     continue()
   endif()
   file(STRINGS ${folder}/${source} lines REGEX "^[ \t]*#[ \t]*include")
   foreach(line ${lines})
-    if(line MATCHES "\"([a-z]+)/[^\"]*\"")
+    if(line MATCHES "\"([a-z/]+)/[^/\"]*\"")
       set(included ${CMAKE_MATCH_1})
       if(included STREQUAL slicecast AND (part STREQUAL library OR line MATCHES "\"slicecast/(${plainData})\.h\""))
         continue()
       endif()
-      if(NOT included STREQUAL part AND NOT included IN_LIST may_${part})
-        list(APPEND faults "${source}: ${part} must not know ${included}: ${line}")
+      if(part MATCHES "^(render|classic)$" AND line MATCHES "\"${renderData}\"")
+        continue()
       endif()
-      if(source MATCHES "^render/classic/")
-        if(included STREQUAL render AND NOT line MATCHES "\"render/(${classicShares})\\.h\"")
-          list(APPEND faults "${source}: the old ways share plain data only with the fast renderer: ${line}")
-        endif()
-      elseif(part STREQUAL render AND line MATCHES "\"render/classic/")
-        list(APPEND faults "${source}: the fast renderer knows nothing of the old ways: ${line}")
+      if(NOT included STREQUAL room AND NOT included IN_LIST may_${room})
+        list(APPEND faults "${source}: ${room} must not know ${included}: ${line}")
       endif()
     elseif(line MATCHES "\"")
       list(APPEND faults "${source}: an include of the project's own is rooted at src: ${line}")
@@ -98,6 +104,6 @@ foreach(fault ${faults})
   message(NOTICE "${fault}")
 endforeach()
 if(faults)
-  message(FATAL_ERROR "The parts of src do not keep to their order.")
+  message(FATAL_ERROR "The rooms of src do not keep to their order.")
 endif()
 message(STATUS "${count} files looked at")

@@ -116,7 +116,7 @@ test('a formula that cannot be read is refused', () => {
 test('an excerpt says whose code it is', () => {
   const titleOf = (file, name) =>
     /class="code-title">([^:]+):/.exec(render(`\`\`\`source ${file} ${name}\n\`\`\``))[1];
-  assert.equal(titleOf('src/render/sloped_plane.cpp', 'own-horizon'), 'The engine');
+  assert.equal(titleOf('src/render/spans/sloped_plane.cpp', 'own-horizon'), 'The engine');
   assert.equal(titleOf('web/learn/23-slopes/by-hand.js', 'row'), 'This tutorial');
 });
 

@@ -1,6 +1,6 @@
 // Baked light where the judge does not look: what is kept from frame to frame, and what light is
 // for.
-#include "render/lit_maps.h"
+#include "render/light/lit_maps.h"
 #include "render/renderer.h"
 #include "world/world_step.h"
 #include "world_builder.h"

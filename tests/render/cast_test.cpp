@@ -1,4 +1,4 @@
-#include "render/cast.h"
+#include "render/ask/cast.h"
 
 #include "base/angle.h"
 #include "world_builder.h"

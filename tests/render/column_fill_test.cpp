@@ -1,6 +1,6 @@
 // The innermost loops against plain ones that are written from the definition, byte by byte.
 // Lengths and beginnings are such that four rows at a time and single ones both occur.
-#include "render/column_fill.h"
+#include "render/pixels/column_fill.h"
 
 #include "defined_shade.h"
 

@@ -1,7 +1,7 @@
 // Light, fog and see-through texels as they are defined, channel by channel.
 #pragma once
 
-#include "render/column_fill.h"
+#include "render/pixels/column_fill.h"
 
 namespace slicecast::known {
 

@@ -1,8 +1,8 @@
 // Objects found piece by piece are those that are found at once.
-#include "render/frame_objects.h"
+#include "render/view/frame_objects.h"
 
 #include "base/random.h"
-#include "classic_scenes.h"
+#include "scenes.h"
 #include "slice_stage.h"
 
 #include <gtest/gtest.h>

@@ -1,5 +1,5 @@
 // The walk over the grid: known rays, step by step.
-#include "render/grid_walk.h"
+#include "render/spans/grid_walk.h"
 
 #include "base/random.h"
 #include "render/eye.h"

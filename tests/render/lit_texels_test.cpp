@@ -1,9 +1,9 @@
 // Lit columns against the formula, one texel at a time, and what is kept of them.
-#include "render/lit_texels.h"
+#include "render/light/lit_texels.h"
 #include "base/random.h"
-#include "render/lanes.h"
-#include "render/light_lines.h"
-#include "render/lit_images.h"
+#include "render/light/light_lines.h"
+#include "render/light/lit_images.h"
+#include "render/pixels/lanes.h"
 
 #include <gtest/gtest.h>
 

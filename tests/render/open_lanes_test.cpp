@@ -1,5 +1,5 @@
 // The open rows of sixteen columns at once, against those of one column at a time.
-#include "render/open_lanes.h"
+#include "render/strips/open_lanes.h"
 
 #include "base/random.h"
 

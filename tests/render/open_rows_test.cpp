@@ -1,5 +1,5 @@
 // The rows that are still open, against a plain array of booleans.
-#include "render/open_rows.h"
+#include "render/spans/open_rows.h"
 
 #include "base/random.h"
 

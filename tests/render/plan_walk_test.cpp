@@ -1,5 +1,5 @@
 // Blocks that fill only a part of their tile, as single rays pass them.
-#include "render/plan_walk.h"
+#include "render/spans/plan_walk.h"
 
 #include "base/random.h"
 

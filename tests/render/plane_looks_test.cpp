@@ -1,7 +1,7 @@
 // How planes look, row by row: against the formulas, for planes above and below the eye.
-#include "render/plane_looks.h"
+#include "render/view/plane_looks.h"
 
-#include "render/frame.h"
+#include "render/view/frame.h"
 
 #include "base/random.h"
 

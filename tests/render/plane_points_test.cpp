@@ -1,5 +1,5 @@
 // Which points of a plane rows see: held inside tiles, and on borders behind turned portals.
-#include "render/plane_points.h"
+#include "render/spans/plane_points.h"
 
 #include "base/random.h"
 

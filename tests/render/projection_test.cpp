@@ -1,5 +1,5 @@
 // From the world to the screen, by figures worked out by hand.
-#include "render/projection.h"
+#include "render/view/projection.h"
 
 #include <gtest/gtest.h>
 

@@ -66,4 +66,29 @@ inline Image draw(const World& world, const Eye& eye, int width, int height,
                : Image{};
 }
 
+inline SpriteId addSprite(World& world, int width, int height) {
+    Image image(width, height);
+    for (int y = 0; y < height; ++y) {
+        for (int x = 0; x < width; ++x) {
+            const std::uint8_t alpha = (x + y) % 4 == 0 ? 0 : (x + y) % 4 == 1 ? 120 : 255;
+            image.at(x, y) = toPixel({static_cast<std::uint8_t>(100 + 5 * x),
+                                      static_cast<std::uint8_t>(100 + 5 * y), 30, alpha});
+        }
+    }
+    world.sprites.push_back(makeSprite("figure", image));
+    return static_cast<SpriteId>(world.sprites.size() - 1);
+}
+
+inline void addObject(World& world, SpriteId sprite, double x, double y, double z, double width,
+                      double height) {
+    Object object;
+    object.sprite = sprite;
+    object.x = toCoordinate(x);
+    object.y = toCoordinate(y);
+    object.z = toCoordinate(z);
+    object.width = toCoordinate(width);
+    object.height = toCoordinate(height);
+    world.maps[0].objects.push_back(object);
+}
+
 }  // namespace slicecast::known

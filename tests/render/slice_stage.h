@@ -1,9 +1,9 @@
 // The two stages of one slice, each by itself: the walk that finds spans, and the painter.
 #pragma once
 
-#include "render/frame.h"
-#include "render/slice_paint.h"
-#include "render/strip_walk.h"
+#include "render/paint/slice_paint.h"
+#include "render/strips/strip_walk.h"
+#include "render/view/frame.h"
 #include "world/world.h"
 
 #include <span>

@@ -1,5 +1,5 @@
 // What a trace tells of a slice, beside what is painted.
-#include "render/slice_trace.h"
+#include "render/ask/slice_trace.h"
 
 #include "scenes.h"
 #include "slice_stage.h"

@@ -1,8 +1,8 @@
 // Blended texels: known answers, and every way to fill rows against the plain one.
-#include "render/smooth_texels.h"
+#include "render/pixels/smooth_texels.h"
 
 #include "base/random.h"
-#include "render/smooth_light.h"
+#include "render/light/smooth_light.h"
 
 #include <gtest/gtest.h>
 

@@ -10,7 +10,7 @@
 // the portals and mirrors, then what shows in mirrors.
 #pragma once
 
-#include "render/slice_spans.h"
+#include "render/spans/slice_spans.h"
 #include "world/world.h"
 
 #include <array>

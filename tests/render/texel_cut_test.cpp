@@ -1,5 +1,5 @@
 // Columns of texels cut into pieces: every row is in the piece that its texel asks for.
-#include "render/texel_cut.h"
+#include "render/spans/texel_cut.h"
 
 #include "base/random.h"
 

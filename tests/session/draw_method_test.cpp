@@ -1,7 +1,7 @@
 // Which renderer makes a session's pictures.
 #include "base/image.h"
+#include "classic/draw_classic.h"
 #include "drawn.h"
-#include "render/classic/draw_classic.h"
 #include "session/session.h"
 #include "world_builder.h"
 

@@ -19,15 +19,18 @@ function(slicecastPart name)
   endif()
 endfunction()
 
-# slicecastTuned(PART GROUP OPTIONS OPTION... FILES FILE...): compiles these files of a part, as one,
-# with further options.
+# slicecastTuned(PART GROUP OPTIONS OPTION... FILES FILE...): compiles these files of a part, but for
+# those of an earlier group, as one, with further options.
 function(slicecastTuned part group)
   cmake_parse_arguments(tuned "" "" "OPTIONS;FILES" ${ARGN})
   list(TRANSFORM tuned_FILES PREPEND ${PROJECT_SOURCE_DIR}/src/${part}/)
   file(GLOB files CONFIGURE_DEPENDS ${tuned_FILES})
   get_target_property(rest slicecast_${part} SOURCES)
-  list(REMOVE_ITEM rest ${files})
-  set_target_properties(slicecast_${part} PROPERTIES SOURCES "${rest}")
+  set(others ${rest})
+  list(REMOVE_ITEM others ${files})
+  set(files ${rest})
+  list(REMOVE_ITEM files ${others})
+  set_target_properties(slicecast_${part} PROPERTIES SOURCES "${others}")
   set(target slicecast_${part}_${group})
   add_library(${target} OBJECT ${files})
   get_target_property(uses slicecast_${part} LINK_LIBRARIES)

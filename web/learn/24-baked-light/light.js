@@ -20,7 +20,7 @@ const kTurns = [
   [0, 3],
   [1, 2],
 ];
-// src/render/light_fans.h: rays to the sky, along a face's axes and outward.
+// src/render/light/light_fans.h: rays to the sky, along a face's axes and outward.
 export const kSkyWays = [
   [49152, 0, 190365],
   [-62775, 57507, 177220],
