@@ -2,7 +2,8 @@
 // that the next ones need not allocate.
 #pragma once
 
-#include <cstddef>
+#include "base/hash_index.h"
+
 #include <cstdint>
 #include <memory>
 #include <vector>
@@ -12,29 +13,23 @@ namespace slicecast {
 template <typename Key, typename Thing>
 class KeyedPool {
 public:
-    void forgetAll() {
-        used_ = 0;
-        slots_.assign(slots_.size(), 0);
-    }
+    void forgetAll() { index_.clear(); }
 
     // The thing of a key, whose hash is given. A new one, which may have been another's before
     // forgetAll, is first given to `make`. It stays where it is.
     template <typename Make>
     Thing& find(const Key& key, std::uint64_t hash, Make&& make) {
-        std::size_t slot = hash & (slots_.size() - 1);
-        for (; slots_[slot] != 0; slot = (slot + 1) & (slots_.size() - 1)) {
-            const Entry& entry = entries_[slots_[slot] - 1];
-            if (entry.key == key) return *entry.thing;
-        }
-        if (used_ == entries_.size()) entries_.push_back({key, hash, std::make_unique<Thing>()});
-        Entry& entry = entries_[used_++];
+        const std::uint32_t known =
+            index_.find(hash, [&](std::uint32_t i) { return entries_[i].key == key; });
+        if (known != HashIndex::kNone) return *entries_[known].thing;
+        if (index_.count() == entries_.size())
+            entries_.push_back({key, hash, std::make_unique<Thing>()});
+        Entry& entry = entries_[index_.count()];
         entry.key = key;
         entry.hash = hash;
-        slots_[slot] = static_cast<std::uint32_t>(used_);
-        if (2 * used_ > slots_.size()) grow();
-        Thing& thing = *entry.thing;
-        make(thing);
-        return thing;
+        index_.add(hash, [&](std::uint32_t i) { return entries_[i].hash; });
+        make(*entry.thing);
+        return *entry.thing;
     }
 
 private:
@@ -43,21 +38,8 @@ private:
         std::uint64_t hash;
         std::unique_ptr<Thing> thing;
     };
-
-    // Not inlined: it is rare.
-    __attribute__((noinline)) void grow() {
-        slots_.assign(2 * slots_.size(), 0);
-        for (std::size_t i = 0; i < used_; ++i) {
-            std::size_t slot = entries_[i].hash & (slots_.size() - 1);
-            while (slots_[slot] != 0) slot = (slot + 1) & (slots_.size() - 1);
-            slots_[slot] = static_cast<std::uint32_t>(i + 1);
-        }
-    }
-
     std::vector<Entry> entries_;
-    std::size_t used_ = 0;
-    // A table with open addressing: index of an entry + 1, 0 for none. The size is a power of two.
-    std::vector<std::uint32_t> slots_ = std::vector<std::uint32_t>(16);
+    HashIndex index_;
 };
 
 }  // namespace slicecast

@@ -10,14 +10,9 @@ namespace {
 constexpr std::int32_t kHalfUnit = 32768;
 constexpr std::int32_t kLift = 16;  // of samples off their face, 1/65536 units
 constexpr std::size_t kMostKinds = 128;
-constexpr std::size_t kKindSlots = 512;   // a power of two
 constexpr std::size_t kMetPlaces = 4096;  // a power of two
 // Of all fans together: 2 MB. A fan to a low sun has as many cells as the map is wide.
 constexpr std::size_t kMostSets = 131'072;
-
-std::size_t scattered(std::uint64_t key) {
-    return static_cast<std::size_t>(key * 0x9e3779b97f4a7c15u >> 40);
-}
 
 std::int32_t& along(LightVector& v, int axis) {
     return v[static_cast<std::size_t>(axis)];
@@ -98,25 +93,18 @@ public:
 
 private:
     std::size_t columnOf(std::int32_t x, std::int32_t y) {
-        const std::size_t slot = slotOf(x, y);
-        if (slots_[slot] != 0) return slots_[slot] - 1;
+        const std::uint32_t known = index_.find(hashOf(x, y), [&](std::uint32_t i) {
+            return columns_[i].x == x && columns_[i].y == y;
+        });
+        if (known != HashIndex::kNone) return known;
+        index_.add(hashOf(x, y),
+                   [&](std::uint32_t i) { return hashOf(columns_[i].x, columns_[i].y); });
         columns_.push_back({x, y, 0, 0, 0});
         sets_.resize(columns_.size() * levels_);
-        slots_[slot] = static_cast<std::uint32_t>(columns_.size());
-        if (2 * columns_.size() > slots_.size()) {
-            slots_.assign(2 * slots_.size(), 0);
-            for (std::uint32_t i = 0; i < columns_.size(); ++i)
-                slots_[slotOf(columns_[i].x, columns_[i].y)] = i + 1;
-        }
         return columns_.size() - 1;
     }
-    std::size_t slotOf(std::int32_t x, std::int32_t y) const {
-        std::size_t slot =
-            scattered(static_cast<std::uint64_t>(x * 65536 + y)) & (slots_.size() - 1);
-        while (slots_[slot] != 0 &&
-               (columns_[slots_[slot] - 1].x != x || columns_[slots_[slot] - 1].y != y))
-            slot = (slot + 1) & (slots_.size() - 1);
-        return slot;
+    static std::uint64_t hashOf(std::int32_t x, std::int32_t y) {
+        return scattered(static_cast<std::uint64_t>(x * 65536 + y));
     }
 
     std::int32_t lowest_;
@@ -124,8 +112,7 @@ private:
     std::vector<Column> columns_;
     std::vector<WaySet> sets_;  // levels_ of each column
     std::size_t last_ = 0;      // index of the column that was added to last
-    // Hash table: index of a column + 1, 0 for none
-    std::vector<std::uint32_t> slots_ = std::vector<std::uint32_t>(128);
+    HashIndex index_{128};      // of the columns, by tile
 };
 
 void LightFans::makeKind(LightScene& scene, Kind& kind) {
@@ -165,7 +152,7 @@ LightFans::LightFans(std::size_t sharing) : met_(kMetPlaces / sharing) {}
 
 void LightFans::forget() {
     kinds_.clear();
-    slots_.assign(kKindSlots, 0);
+    index_.clear();
     sets_ = 0;
     std::fill(met_.begin(), met_.end(), Met{});
 }
@@ -176,18 +163,17 @@ std::size_t LightFans::kindOf(LightScene& scene, const LitArea& area) {
                                     area.low[0], area.low[1], area.high[0], area.high[1]})
         key = (key ^ static_cast<std::uint32_t>(part)) * 0x100000001b3u;  // as FNV-1a
     if (kinds_.size() == kMostKinds || sets_ > kMostSets) forget();
-    std::size_t slot = scattered(key) & (kKindSlots - 1);
-    while (slots_[slot] != 0 && !(kinds_[slots_[slot] - 1].area == area))
-        slot = (slot + 1) & (kKindSlots - 1);
-    if (slots_[slot] == 0) {
-        kinds_.emplace_back();
-        Kind& kind = kinds_.back();
-        kind.area = area;
-        kind.sunShare = scene.hasSun() ? sunShareOf(area, scene.sun()) : 0;
-        makeKind(scene, kind);
-        slots_[slot] = static_cast<std::uint16_t>(kinds_.size());
-    }
-    return slots_[slot] - 1u;
+    const std::uint64_t hash = scattered(key);
+    const std::uint32_t known =
+        index_.find(hash, [&](std::uint32_t i) { return kinds_[i].area == area; });
+    if (known != HashIndex::kNone) return known;
+    index_.add(hash, [&](std::uint32_t i) { return kinds_[i].hash; });
+    Kind& kind = kinds_.emplace_back();
+    kind.area = area;
+    kind.hash = hash;
+    kind.sunShare = scene.hasSun() ? sunShareOf(area, scene.sun()) : 0;
+    makeKind(scene, kind);
+    return kinds_.size() - 1;
 }
 
 // ---- Faces

@@ -8,6 +8,7 @@
 //     +======*======----+
 #pragma once
 
+#include "base/hash_index.h"
 #include "render/light/light_scene.h"
 
 #include <array>
@@ -109,7 +110,8 @@ private:
     };
     // Of all faces that lie alike in their cells.
     struct Kind {
-        LitArea area;  // relative to the cell of its plane
+        LitArea area;            // relative to the cell of its plane
+        std::uint64_t hash = 0;  // of that
         std::int32_t sunShare = 0;
         Fan sky;
         Fan sun;
@@ -136,10 +138,10 @@ private:
                    const WaySet& ways);
 
     std::vector<Kind> kinds_;
-    std::vector<std::uint16_t> slots_;  // hash table: index of a kind + 1, 0 for none
-    std::size_t sets_ = 0;              // in all kinds
-    std::vector<Met> met_;              // keys share places, and the last one stays
-    std::vector<Part> parts_;           // of the face that is looked at
+    HashIndex index_;          // of these, by area
+    std::size_t sets_ = 0;     // in all kinds
+    std::vector<Met> met_;     // keys share places, and the last one stays
+    std::vector<Part> parts_;  // of the face that is looked at
 };
 
 }  // namespace slicecast

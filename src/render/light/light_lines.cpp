@@ -14,8 +14,8 @@ void LightLines::beginFrame() {
 }
 
 void LightLines::clear() {
-    std::fill(entries_.begin(), entries_.end(), Entry{});
-    count_ = 0;
+    entries_.clear();
+    index_.clear();
     lines_.clear();
     mostKept_ = 0;
 }
@@ -49,23 +49,10 @@ std::uint32_t LightLines::make(std::uint64_t key, std::uint32_t change, int leve
 
 // Finds or adds an entry; `made` of a new one is kNone.
 LightLines::Entry& LightLines::entryOf(std::uint64_t key, int levelBits) {
-    const auto placeOf = [&](std::uint64_t wanted) -> Entry& {
-        std::size_t slot = slotOf(wanted);
-        while (entries_[slot].key != 0 && entries_[slot].key != wanted) slot = (slot + 1) & mask_;
-        return entries_[slot];
-    };
-    Entry& found = placeOf(key);
-    if (found.key != 0) return found;
-    if (2 * (count_ + 1) > entries_.size()) {
-        std::vector<Entry> old(2 * entries_.size());
-        old.swap(entries_);
-        mask_ = entries_.size() - 1;
-        for (const Entry& entry : old) {
-            if (entry.key != 0) placeOf(entry.key) = entry;
-        }
-    }
-    ++count_;
-    Entry& added = placeOf(key);
+    const std::uint32_t known = indexOf(key);
+    if (known != kNone) return entries_[known];
+    index_.add(scattered(key), [&](std::uint32_t i) { return scattered(entries_[i].key); });
+    Entry& added = entries_.emplace_back();
     added.key = key;
     added.first = static_cast<std::uint32_t>(lines_.size());
     lines_.resize(lines_.size() + (std::size_t{2} << std::max(levelBits, 1)));

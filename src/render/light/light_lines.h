@@ -2,6 +2,7 @@
 // are between those along the other axis. From them a texel's light is one step more.
 #pragma once
 
+#include "base/hash_index.h"
 #include "render/light/light_samples.h"
 
 #include <array>
@@ -29,17 +30,13 @@ public:
     static std::uint64_t keyOf(const LitFaceAt& face, int levelBits) {
         return face.key() | static_cast<std::uint64_t>(levelBits) << 16 | 128;
     }
-    static constexpr std::uint32_t kNone = 0xffffffff;
+    static constexpr std::uint32_t kNone = HashIndex::kNone;
 
     // The index of the first line, if they have been asked for since the last change of the map's
     // light; kNone if not.
     std::uint32_t find(std::uint64_t key, std::uint32_t change) const {
-        std::size_t slot = slotOf(key);
-        while (entries_[slot].key != key) {
-            if (entries_[slot].key == 0) return kNone;
-            slot = (slot + 1) & mask_;
-        }
-        return entries_[slot].change == change ? entries_[slot].first : kNone;
+        const std::uint32_t i = indexOf(key);
+        return i != kNone && entries_[i].change == change ? entries_[i].first : kNone;
     }
     // The same for the first time since then: makes them unless the nodes are those that were
     // `made` at the same change as before.
@@ -53,21 +50,20 @@ public:
 
 private:
     struct Entry {
-        std::uint64_t key = 0;  // 0: none
+        std::uint64_t key = 0;
         std::uint32_t first = 0;
         std::uint32_t change = 0;
         std::uint32_t made = kNone;
     };
     static constexpr std::size_t kLeastKept = 8192;  // lines
 
-    std::size_t slotOf(std::uint64_t key) const {
-        return static_cast<std::size_t>(key * 0x9e3779b97f4a7c15u >> 32) & mask_;
+    std::uint32_t indexOf(std::uint64_t key) const {
+        return index_.find(scattered(key), [&](std::uint32_t i) { return entries_[i].key == key; });
     }
     Entry& entryOf(std::uint64_t key, int levelBits);
 
-    std::vector<Entry> entries_ = std::vector<Entry>(64);  // a hash table, at least half of it free
-    std::size_t mask_ = 63;
-    std::size_t count_ = 0;  // of entries
+    std::vector<Entry> entries_;
+    HashIndex index_;  // of these, by key
     std::vector<LightLine> lines_;
     std::size_t mostKept_ = 0;  // 0: to be found by the next frame
 };

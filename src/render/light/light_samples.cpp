@@ -168,8 +168,7 @@ LightColour LightSamples::ofObject(LightScene& scene, const Object& object) {
 
 LightSamples::Entry& LightSamples::entryOf(LightScene& scene, const LitFaceAt& face) {
     const std::uint64_t key = face.key();
-    Entry& entry =
-        entries_[static_cast<std::size_t>(key * 0x9e3779b97f4a7c15u >> 40) & (entries_.size() - 1)];
+    Entry& entry = entries_[scattered(key) & (entries_.size() - 1)];
     if (entry.key == key && entry.generation == generation_) return entry;
     entry.key = key;
     entry.generation = generation_;

@@ -13,8 +13,8 @@ void LitImages::beginFrame(bool changed) {
 }
 
 void LitImages::clear() {
-    std::fill(images_.begin(), images_.end(), Image{});
-    count_ = 0;
+    images_.clear();
+    index_.clear();
     piece_ = 0;
     used_ = 0;
     kept_ = 0;
@@ -42,24 +42,11 @@ const Pixel* LitImages::make(const LitLevel& wanted, const FaceNodes& nodes, Sou
 }
 
 LitImages::Image& LitImages::imageOf(std::uint64_t key) {
-    const auto placeOf = [&](std::uint64_t wanted) -> Image& {
-        std::size_t slot = slotOf(wanted);
-        while (images_[slot].key != 0 && images_[slot].key != wanted)
-            slot = (slot + 1) & (images_.size() - 1);
-        return images_[slot];
-    };
-    Image& found = placeOf(key);
-    if (found.key != 0) return found;
-    if (2 * (count_ + 1) > images_.size()) {
-        std::vector<Image> old(2 * images_.size());
-        old.swap(images_);
-        for (const Image& image : old) {
-            if (image.key != 0) placeOf(image.key) = image;
-        }
-    }
-    ++count_;
+    const std::uint32_t known = indexOf(key);
+    if (known != HashIndex::kNone) return images_[known];
+    index_.add(scattered(key), [&](std::uint32_t i) { return scattered(images_[i].key); });
     kept_ += kWorth;
-    Image& added = placeOf(key);
+    Image& added = images_.emplace_back();
     added.key = key;
     return added;
 }

@@ -2,6 +2,7 @@
 // light. Each is lit once, however often it is painted.
 #pragma once
 
+#include "base/hash_index.h"
 #include "render/light/light_scene.h"
 #include "render/light/lit_texels.h"
 
@@ -42,13 +43,9 @@ public:
     // The texels of a level that have been asked for since the light changed, in its order; else
     // null.
     const Pixel* find(const LitLevel& wanted) const {
-        const std::uint64_t key = wanted.key();
-        std::size_t slot = slotOf(key);
-        while (images_[slot].key != key) {
-            if (images_[slot].key == 0) return nullptr;
-            slot = (slot + 1) & (images_.size() - 1);
-        }
-        const Image& image = images_[slot];
+        const std::uint32_t i = indexOf(wanted.key());
+        if (i == HashIndex::kNone) return nullptr;
+        const Image& image = images_[i];
         return image.change == change_ && image.shows(wanted) ? image.pixels : nullptr;
     }
 
@@ -64,7 +61,7 @@ public:
 
 private:
     struct Image {
-        std::uint64_t key = 0;  // 0: none
+        std::uint64_t key = 0;
         const Pixel* from = nullptr;
         Coordinate shiftA;
         Coordinate shiftB;
@@ -82,15 +79,15 @@ private:
     static constexpr std::size_t kLeastKept = 32'768;  // pixels, and images are worth
     static constexpr std::size_t kWorth = 16;          // so many pixels each
 
-    std::size_t slotOf(std::uint64_t key) const {
-        return static_cast<std::size_t>(key * 0x9e3779b97f4a7c15u >> 32) & (images_.size() - 1);
+    std::uint32_t indexOf(std::uint64_t key) const {
+        return index_.find(scattered(key), [&](std::uint32_t i) { return images_[i].key == key; });
     }
     Image& imageOf(std::uint64_t key);
     Pixel* allocate(std::size_t pixels);
 
-    std::vector<Image> images_ = std::vector<Image>(64);  // a hash table, at least half of it free
-    std::size_t count_ = 0;                               // of images
-    std::uint32_t change_ = 0;                            // of the light
+    std::vector<Image> images_;
+    HashIndex index_;           // of these, by key
+    std::uint32_t change_ = 0;  // of the light
     std::vector<std::unique_ptr<Pixel[]>> pieces_;
     std::size_t piece_ = 0;  // that is being filled
     std::size_t used_ = 0;   // of that

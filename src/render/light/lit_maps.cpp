@@ -32,7 +32,7 @@ void LitMap::forgetAll() {
     ++change_;
     records_.clear();
     keys_.clear();
-    slots_.assign(kFirstRecordSlots, 0);
+    index_ = HashIndex(kFirstRecordSlots);
     odd_.clear();
     std::fill(recent_.begin(), recent_.end(), Recent{});
     images_.clear();
@@ -45,9 +45,9 @@ void LitMap::forgetTexels() {
 }
 
 std::size_t LitMap::bytes() const {
-    return records_.size() * (sizeof(Record) + sizeof(std::uint64_t)) +
-           slots_.size() * sizeof(std::uint32_t) + odd_.size() * sizeof(FaceNodes) +
-           images_.kept() * sizeof(Pixel) + lines_.kept() * sizeof(LightLine);
+    return records_.size() * (sizeof(Record) + sizeof(std::uint64_t)) + index_.bytes() +
+           odd_.size() * sizeof(FaceNodes) + images_.kept() * sizeof(Pixel) +
+           lines_.kept() * sizeof(LightLine);
 }
 
 bool LitMap::isStale(std::uint64_t touched, std::uint32_t made) const {
@@ -119,21 +119,12 @@ bool LitMap::worksOut(bool isKnown, Make&& make) {
 
 // Finds or adds a record; `made` of a new one is 0.
 LitMap::Record& LitMap::recordOf(std::uint64_t key) {
-    const auto placeOf = [&](std::uint64_t wanted) {
-        std::size_t slot = scattered(wanted) & (slots_.size() - 1);
-        while (slots_[slot] != 0 && keys_[slots_[slot] - 1] != wanted)
-            slot = (slot + 1) & (slots_.size() - 1);
-        return slot;
-    };
-    const std::size_t slot = placeOf(key);
-    if (slots_[slot] != 0) return records_[slots_[slot] - 1];
-    records_.emplace_back();
+    const std::uint64_t hash = scattered(key);
+    const std::uint32_t known = index_.find(hash, [&](std::uint32_t i) { return keys_[i] == key; });
+    if (known != HashIndex::kNone) return records_[known];
+    index_.add(hash, [&](std::uint32_t i) { return scattered(keys_[i]); });
     keys_.push_back(key);
-    slots_[slot] = static_cast<std::uint32_t>(records_.size());
-    if (2 * records_.size() > slots_.size()) {
-        slots_.assign(2 * slots_.size(), 0);
-        for (std::uint32_t i = 0; i < keys_.size(); ++i) slots_[placeOf(keys_[i])] = i + 1;
-    }
+    records_.emplace_back();
     return records_.back();
 }
 

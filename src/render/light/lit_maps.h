@@ -2,6 +2,7 @@
 // drawn, and kept until something on the ways of its light rays changes.
 #pragma once
 
+#include "base/hash_index.h"
 #include "render/light/light_lines.h"
 #include "render/light/light_samples.h"
 #include "render/light/light_scene.h"
@@ -35,7 +36,7 @@ public:
     explicit LitMap(std::size_t sharing = 1)
         : scene_(sharing),
           samples_(sharing),
-          slots_(kFirstRecordSlots),
+          index_(kFirstRecordSlots),
           recent_(kRecent / sharing) {}
 
     // Once before each frame. `allowance` is what is left of the picture's work of light, or null
@@ -110,9 +111,6 @@ private:
         LightColour light{};
     };
 
-    static std::size_t scattered(std::uint64_t key) {
-        return static_cast<std::size_t>(key * 0x9e3779b97f4a7c15u >> 32);
-    }
     bool isStale(std::uint64_t touched, std::uint32_t made) const;
     template <typename Make>
     bool worksOut(bool isKnown, Make&& make);
@@ -133,8 +131,8 @@ private:
     std::array<std::uint32_t, 64> changes_{};  // by place bit: the last change there
 
     std::vector<Record> records_;
-    std::vector<std::uint64_t> keys_;   // of the records' faces
-    std::vector<std::uint32_t> slots_;  // hash table: index of a record + 1, 0 for none
+    std::vector<std::uint64_t> keys_;  // of the records' faces
+    HashIndex index_;                  // of the records, by key
     std::vector<FaceNodes> odd_;
     std::vector<Recent> recent_;
     std::vector<LitObject> objects_;
