@@ -3,8 +3,8 @@
 //
 //     std::uint32_t at = index.find(hash, [&](std::uint32_t i) { return things[i].key == key; });
 //     if (at == HashIndex::kNone) {
+//         index.add(hash);
 //         things.push_back(...);
-//         index.add(hash, [&](std::uint32_t i) { return hashOf(things[i].key); });
 //     }
 #pragma once
 
@@ -15,8 +15,8 @@
 namespace slicecast {
 
 // Of a key's bits, those that differ most between similar keys, lowest.
-inline std::uint64_t scattered(std::uint64_t key) {
-    return key * 0x9e3779b97f4a7c15u >> 32;
+inline std::uint32_t scattered(std::uint64_t key) {
+    return static_cast<std::uint32_t>(key * 0x9e3779b97f4a7c15u >> 32);
 }
 
 class HashIndex {
@@ -28,44 +28,33 @@ public:
 
     // How many indices were added.
     std::uint32_t count() const { return count_; }
-    std::size_t bytes() const { return slots_.size() * sizeof(std::uint32_t); }
+    std::size_t bytes() const { return slots_.size() * sizeof(Slot); }
 
     // Keeps its memory.
-    void clear() {
-        count_ = 0;
-        slots_.assign(slots_.size(), 0);
-    }
+    void clear();
 
     // The first index with this hash of which isIt(index) is true, or kNone.
     template <typename IsIt>
-    std::uint32_t find(std::uint64_t hash, IsIt&& isIt) const {
+    std::uint32_t find(std::uint32_t hash, IsIt&& isIt) const {
         const std::size_t mask = slots_.size() - 1;
-        for (std::size_t slot = hash & mask; slots_[slot] != 0; slot = (slot + 1) & mask) {
-            if (isIt(slots_[slot] - 1)) return slots_[slot] - 1;
+        for (std::size_t i = hash & mask; slots_[i].next != 0; i = (i + 1) & mask) {
+            const Slot& slot = slots_[i];
+            if (slot.hash == hash && isIt(slot.next - 1)) return slot.next - 1;
         }
         return kNone;
     }
 
-    // Adds the next index, count(). hashOf(index) is the hash of one that was added before.
-    template <typename HashOf>
-    void add(std::uint64_t hash, HashOf&& hashOf) {
-        if (2 * (count_ + 1) > slots_.size()) {
-            slots_.assign(2 * slots_.size(), 0);
-            for (std::uint32_t i = 0; i < count_; ++i) put(hashOf(i), i);
-        }
-        put(hash, count_++);
-    }
+    // Adds the next index, count().
+    void add(std::uint32_t hash);
 
 private:
-    void put(std::uint64_t hash, std::uint32_t index) {
-        const std::size_t mask = slots_.size() - 1;
-        std::size_t slot = hash & mask;
-        while (slots_[slot] != 0) slot = (slot + 1) & mask;
-        slots_[slot] = index + 1;
-    }
+    struct Slot {
+        std::uint32_t hash = 0;
+        std::uint32_t next = 0;  // the index + 1, 0 for none
+    };
 
-    // With open addressing: an index + 1, 0 for none. At least half of them are free.
-    std::vector<std::uint32_t> slots_;
+    // With open addressing; at least half of them are free.
+    std::vector<Slot> slots_;
     std::uint32_t count_ = 0;
 };
 

@@ -18,16 +18,14 @@ public:
     // The thing of a key, whose hash is given. A new one, which may have been another's before
     // forgetAll, is first given to `make`. It stays where it is.
     template <typename Make>
-    Thing& find(const Key& key, std::uint64_t hash, Make&& make) {
+    Thing& find(const Key& key, std::uint32_t hash, Make&& make) {
         const std::uint32_t known =
             index_.find(hash, [&](std::uint32_t i) { return entries_[i].key == key; });
         if (known != HashIndex::kNone) return *entries_[known].thing;
-        if (index_.count() == entries_.size())
-            entries_.push_back({key, hash, std::make_unique<Thing>()});
+        if (index_.count() == entries_.size()) entries_.push_back({key, std::make_unique<Thing>()});
         Entry& entry = entries_[index_.count()];
         entry.key = key;
-        entry.hash = hash;
-        index_.add(hash, [&](std::uint32_t i) { return entries_[i].hash; });
+        index_.add(hash);
         make(*entry.thing);
         return *entry.thing;
     }
@@ -35,7 +33,6 @@ public:
 private:
     struct Entry {
         Key key;
-        std::uint64_t hash;
         std::unique_ptr<Thing> thing;
     };
     std::vector<Entry> entries_;

@@ -97,13 +97,12 @@ private:
             return columns_[i].x == x && columns_[i].y == y;
         });
         if (known != HashIndex::kNone) return known;
-        index_.add(hashOf(x, y),
-                   [&](std::uint32_t i) { return hashOf(columns_[i].x, columns_[i].y); });
+        index_.add(hashOf(x, y));
         columns_.push_back({x, y, 0, 0, 0});
         sets_.resize(columns_.size() * levels_);
         return columns_.size() - 1;
     }
-    static std::uint64_t hashOf(std::int32_t x, std::int32_t y) {
+    static std::uint32_t hashOf(std::int32_t x, std::int32_t y) {
         return scattered(static_cast<std::uint64_t>(x * 65536 + y));
     }
 
@@ -163,14 +162,13 @@ std::size_t LightFans::kindOf(LightScene& scene, const LitArea& area) {
                                     area.low[0], area.low[1], area.high[0], area.high[1]})
         key = (key ^ static_cast<std::uint32_t>(part)) * 0x100000001b3u;  // as FNV-1a
     if (kinds_.size() == kMostKinds || sets_ > kMostSets) forget();
-    const std::uint64_t hash = scattered(key);
+    const std::uint32_t hash = scattered(key);
     const std::uint32_t known =
         index_.find(hash, [&](std::uint32_t i) { return kinds_[i].area == area; });
     if (known != HashIndex::kNone) return known;
-    index_.add(hash, [&](std::uint32_t i) { return kinds_[i].hash; });
+    index_.add(hash);
     Kind& kind = kinds_.emplace_back();
     kind.area = area;
-    kind.hash = hash;
     kind.sunShare = scene.hasSun() ? sunShareOf(area, scene.sun()) : 0;
     makeKind(scene, kind);
     return kinds_.size() - 1;

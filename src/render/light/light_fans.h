@@ -110,8 +110,7 @@ private:
     };
     // Of all faces that lie alike in their cells.
     struct Kind {
-        LitArea area;            // relative to the cell of its plane
-        std::uint64_t hash = 0;  // of that
+        LitArea area;  // relative to the cell of its plane
         std::int32_t sunShare = 0;
         Fan sky;
         Fan sun;

@@ -51,7 +51,7 @@ std::uint32_t LightLines::make(std::uint64_t key, std::uint32_t change, int leve
 LightLines::Entry& LightLines::entryOf(std::uint64_t key, int levelBits) {
     const std::uint32_t known = indexOf(key);
     if (known != kNone) return entries_[known];
-    index_.add(scattered(key), [&](std::uint32_t i) { return scattered(entries_[i].key); });
+    index_.add(scattered(key));
     Entry& added = entries_.emplace_back();
     added.key = key;
     added.first = static_cast<std::uint32_t>(lines_.size());

@@ -44,7 +44,7 @@ const Pixel* LitImages::make(const LitLevel& wanted, const FaceNodes& nodes, Sou
 LitImages::Image& LitImages::imageOf(std::uint64_t key) {
     const std::uint32_t known = indexOf(key);
     if (known != HashIndex::kNone) return images_[known];
-    index_.add(scattered(key), [&](std::uint32_t i) { return scattered(images_[i].key); });
+    index_.add(scattered(key));
     kept_ += kWorth;
     Image& added = images_.emplace_back();
     added.key = key;

@@ -119,10 +119,10 @@ bool LitMap::worksOut(bool isKnown, Make&& make) {
 
 // Finds or adds a record; `made` of a new one is 0.
 LitMap::Record& LitMap::recordOf(std::uint64_t key) {
-    const std::uint64_t hash = scattered(key);
+    const std::uint32_t hash = scattered(key);
     const std::uint32_t known = index_.find(hash, [&](std::uint32_t i) { return keys_[i] == key; });
     if (known != HashIndex::kNone) return records_[known];
-    index_.add(hash, [&](std::uint32_t i) { return scattered(keys_[i]); });
+    index_.add(hash);
     keys_.push_back(key);
     records_.emplace_back();
     return records_.back();

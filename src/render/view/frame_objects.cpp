@@ -80,7 +80,7 @@ ColumnObjects* FrameObjects::listOf(int column) {
     if (together_) return &groups_[static_cast<std::size_t>(column / kGroup)];
     const std::uint64_t hash = (reinterpret_cast<std::uintptr_t>(this) >> 4) * 0x9e3779b97f4a7c15u +
                                static_cast<std::uint64_t>(column) * 0xbf58476d1ce4e5b9u;
-    return &room_->lists.find({this, column}, hash >> 32, begin);
+    return &room_->lists.find({this, column}, static_cast<std::uint32_t>(hash >> 32), begin);
 }
 
 // Adds what is missing to lists, each of some columns, from a first one on.

@@ -101,7 +101,7 @@ PlaneLook& PlaneLooks::find(const Plane& plane, const FrameTexture& texture, con
                                 (std::uint64_t{plane.texture} << 8 | (plane.glow ? 4u : 0u) |
                                  (plane.mirror ? 2u : 0u) | (plane.southReversed ? 1u : 0u))) *
                                    0xbf58476d1ce4e5b9u;
-    return looks_.find(plane, hash >> 40,
+    return looks_.find(plane, static_cast<std::uint32_t>(hash >> 40),
                        [&](PlaneLook& look) { look.begin(plane, texture, detail, rays_); });
 }
 

@@ -124,7 +124,7 @@ Vista& Vistas::find(const Viewpoint& from) {
         static_cast<std::uint64_t>(from.y) * 0xbf58476d1ce4e5b9u +
         static_cast<std::uint32_t>(from.z) * 0x94d049bb133111ebu +
         static_cast<std::uint64_t>(8 * from.map + 2 * from.turn + (from.upsideDown ? 1 : 0));
-    return vistas_.find(from, hash ^ hash >> 40, [&](Vista& vista) {
+    return vistas_.find(from, static_cast<std::uint32_t>(hash ^ hash >> 40), [&](Vista& vista) {
         const Vista*& first = firstOfMaps_[static_cast<std::size_t>(from.map)];
         vista.begin(frame_, from,
                     from.upsideDown
