@@ -60,7 +60,7 @@ public:
     virtual void tellRates(const FrameRates& rates) = 0;
     virtual void tellSize(int width, int height) = 0;
 
-    // The user asks for the hits of a slice in a picture of this size (see session/hits_json.h).
+    // The user asks for the hits of a slice in a picture of this size (see answers/hits_json.h).
     virtual void tellHits(Session& game, int width, int height, int column) = 0;
 
     // Escape: releases the mouse if it is captured, else leaves.

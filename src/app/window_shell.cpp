@@ -2,10 +2,10 @@
 
 #ifndef __EMSCRIPTEN__
 
+#include "answers/hits_json.h"
 #include "app/help_pages.h"
 #include "base/words.h"
 #include "overlay/text.h"
-#include "session/hits_json.h"
 
 #include <algorithm>
 #include <array>

@@ -1,6 +1,8 @@
 // slicecast-render: draws one view of a scene into a PNG file, without a screen; or prints what a
 // column meets, or how it was drawn.
 
+#include "answers/hits_json.h"
+#include "answers/trace_json.h"
 #include "base/image.h"
 #include "files/print_line.h"
 #include "files/recording_file.h"
@@ -8,9 +10,7 @@
 #include "files/write_file.h"
 #include "headless/replay_file.h"
 #include "headless/view_arguments.h"
-#include "session/hits_json.h"
 #include "session/session.h"
-#include "session/trace_json.h"
 
 #include <CLI/CLI.hpp>
 

@@ -1,9 +1,9 @@
 // What a Game tells about its cells, rays and pixels.
+#include "answers/frame_trace.h"
+#include "answers/pick.h"
+#include "answers/trace_json.h"
 #include "library/game_state.h"
 #include "render/ask/cast.h"
-#include "session/frame_trace.h"
-#include "session/pick.h"
-#include "session/trace_json.h"
 
 #include <algorithm>
 #include <cmath>

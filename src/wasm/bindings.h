@@ -195,7 +195,7 @@ const char* slicecast_state(SlicecastSession* session);
 const double* slicecast_view(SlicecastSession* session);
 
 // The world's game: what is to be found and reached, and how far the player is. What has happened
-// in it since the last call. Both as JSON, see session/quest_json.h; "null" without a game, and
+// in it since the last call. Both as JSON, see answers/quest_json.h; "null" without a game, and
 // "[]".
 const char* slicecast_game(SlicecastSession* session);
 const char* slicecast_news(SlicecastSession* session);
@@ -252,20 +252,20 @@ int32_t slicecast_land(SlicecastSession* session);
 int32_t slicecast_goToMap(SlicecastSession* session, int32_t map);
 
 // ---- Questions of figures. slicecast_hits, _trace, _cast and _pick return packed answers, as
-// numbers (session/json_text.h); slicecast_texts then returns the texts in them. Both are valid
+// numbers (answers/json_text.h); slicecast_texts then returns the texts in them. Both are valid
 // until the next packed answer. Null without a game, and for things that do not exist.
 
 // The texts of the last packed answer, as a JSON list.
 const char* slicecast_texts(SlicecastSession* session);
 
-// What columns of a picture of this size meet: an array of the objects of session/hits_json.h.
+// What columns of a picture of this size meet: an array of the objects of answers/hits_json.h.
 // "scene" is the scene's title. Null if one of the columns does not exist, or for more of them than
 // the widest picture has.
 const double* slicecast_hits(SlicecastSession* session, int32_t width, int32_t height,
                              const int32_t* columns, int32_t count);
 
 // All that the renderer did for columns of a picture of this size: an array of the objects of
-// session/trace_json.h. Null if one of the columns does not exist, or for more of them than the
+// answers/trace_json.h. Null if one of the columns does not exist, or for more of them than the
 // widest picture has.
 const double* slicecast_trace(SlicecastSession* session, int32_t width, int32_t height,
                               const int32_t* columns, int32_t count);
@@ -273,11 +273,11 @@ const double* slicecast_trace(SlicecastSession* session, int32_t width, int32_t 
 // The same for a whole picture of this size, as JSON; "null" without a game.
 const char* slicecast_traceFrame(SlicecastSession* session, int32_t width, int32_t height);
 
-// What a ray from any point meets, see session/cast_json.h; a ray without a height if z is NaN.
+// What a ray from any point meets, see answers/cast_json.h; a ray without a height if z is NaN.
 const double* slicecast_cast(SlicecastSession* session, int32_t map, double x, double y, double z,
                              double headingDegrees);
 
-// What one pixel of a picture of this size shows, see session/pick.h.
+// What one pixel of a picture of this size shows, see answers/pick.h.
 const double* slicecast_pick(SlicecastSession* session, int32_t width, int32_t height,
                              int32_t column, int32_t row);
 
@@ -287,7 +287,7 @@ const double* slicecast_pick(SlicecastSession* session, int32_t width, int32_t h
 const double* slicecast_project(SlicecastSession* session, int32_t map, double x, double y,
                                 double z, int32_t width, int32_t height);
 
-// The rows of a map's levels, and the blocks of its legend, as JSON (session/cells_json.h); "null"
+// The rows of a map's levels, and the blocks of its legend, as JSON (answers/cells_json.h); "null"
 // if there is no such map.
 const char* slicecast_cells(SlicecastSession* session, int32_t map);
 const char* slicecast_blueprints(SlicecastSession* session, int32_t map);

@@ -1,7 +1,7 @@
 #include "app/app.h"
 
+#include "answers/hits_json.h"
 #include "base/random.h"
-#include "session/hits_json.h"
 #include "world_builder.h"
 
 #include <gtest/gtest.h>

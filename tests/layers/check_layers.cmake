@@ -20,11 +20,12 @@ set(may_render render/ask render/paint render/strips render/view render/light re
 set(may_classic render/spans render/view render/light render/pixels world base)
 set(may_overlay classic render render/view render/pixels world base)
 set(may_session overlay classic render render/ask render/view scene world base)
+set(may_answers session classic overlay render render/ask render/view scene world base)
 set(may_files session overlay render scene world base)
-set(may_app files session overlay render scene world base)
+set(may_app files answers session overlay render scene world base)
 set(may_wasm ${may_app} app)
 set(may_headless ${may_app})
-set(may_library ${may_files} files render/ask)
+set(may_library ${may_files} files answers render/ask)
 set(may_examples "")
 
 # Plain data of the renderer that its rooms share, and `classic`, which is no part of it.
@@ -36,7 +37,7 @@ set(plainData "cell_change|colour|face|fault|half|image|input|mark|option|pictur
 
 # The engine draws and simulates the same everywhere: no screen, no clock, no printing, and none of
 # the library functions whose last bit differs.
-set(engine base world scene render classic overlay session)
+set(engine base world scene render classic overlay session answers)
 set(engineHeadersRefused "SDL[^>\"]*|emscripten[^>\"]*|chrono|ctime|time.h|iostream|fstream|filesystem|random|thread|cstdio|sstream")
 set(engineCallsRefused "std::(sin|cos|tan|asin|acos|atan|atan2|exp|exp2|pow|hypot|log|log2|log10|cbrt|sinf|cosf|tanf|fma)")
 # These bring kilobytes into a page; base/words.h, number_text.h and sort.h do with little.

@@ -1,16 +1,16 @@
 // All that can be asked about a picture: traces, hits, casts and picks, of both renderers, over the
 // shipped scenes and random worlds, in pictures from 1 to 1600 pixels wide. Asks that rows add up,
 // that numbers name what exists, and, with the sanitizers, that nothing else is read or written.
+#include "answers/cast_json.h"
+#include "answers/hits_json.h"
+#include "answers/pick.h"
+#include "answers/trace_json.h"
 #include "base/random.h"
 #include "base/words.h"
 #include "judge/draw.h"
 #include "sanitized.h"
 #include "scenes/shipped.h"
-#include "session/cast_json.h"
-#include "session/hits_json.h"
-#include "session/pick.h"
 #include "session/session.h"
-#include "session/trace_json.h"
 
 #include <gtest/gtest.h>
 #include <rapidjson/document.h>

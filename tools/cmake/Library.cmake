@@ -4,7 +4,7 @@
 file(GLOB sources CONFIGURE_DEPENDS ${PROJECT_SOURCE_DIR}/src/library/*.cpp)
 add_library(slicecast_library STATIC ${sources})
 add_library(slicecast::slicecast ALIAS slicecast_library)
-foreach(part base world scene render classic overlay session files)
+foreach(part base world scene render classic overlay session answers files)
   target_sources(slicecast_library PRIVATE $<TARGET_OBJECTS:slicecast_${part}>)
 endforeach()
 configure_file(${PROJECT_SOURCE_DIR}/tools/cmake/version.h.in ${PROJECT_BINARY_DIR}/include/slicecast/version.h @ONLY)

@@ -295,7 +295,7 @@ export class Engine {
     return this.#json(this.#module._slicecast_state(this.#session));
   }
 
-  // The world's game, {aim, finds, of, ...} as in src/session/quest_json.h, or null.
+  // The world's game, {aim, finds, of, ...} as in src/answers/quest_json.h, or null.
   get game() {
     return this.#json(this.#module._slicecast_game(this.#session));
   }

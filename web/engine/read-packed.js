@@ -1,4 +1,4 @@
-// Reads the engine's packed answers (src/session/json_text.h): a flat list of numbers, in the order
+// Reads the engine's packed answers (src/answers/json_text.h): a flat list of numbers, in the order
 // in which the headers of src/session list each object's members.
 //
 //     const answer = readPacked(numbers, texts, readCast);    // numbers: a Float64Array
@@ -103,7 +103,7 @@ function orNull(read) {
   return null;
 }
 
-// ---- src/session/hits_json.h
+// ---- src/answers/hits_json.h
 
 const eye = () => ({
   x: number(),
@@ -187,7 +187,7 @@ const slice = (answer, itsLists) => {
 
 export const readHits = () => slice(view(), kHitLists);
 
-// ---- src/session/trace_json.h
+// ---- src/answers/trace_json.h
 
 const walked = () => ({
   map: text(),
@@ -232,7 +232,7 @@ export const readTrace = () => {
   return answer;
 };
 
-// ---- src/session/cast_json.h
+// ---- src/answers/cast_json.h
 
 const castTile = () => ({
   map: text(),
@@ -277,7 +277,7 @@ export const readCast = () => ({
   end: { why: text(), map: text(), point: pair(), distance: number() },
 });
 
-// ---- src/session/pick.h
+// ---- src/answers/pick.h
 
 export const readPick = () => ({
   column: whole(),

@@ -1,9 +1,9 @@
-#include "session/cells_json.h"
+#include "answers/cells_json.h"
 
+#include "answers/hits_json.h"
 #include "base/number_text.h"
 #include "base/words.h"
 #include "session/edit_cells.h"
-#include "session/hits_json.h"
 
 namespace slicecast {
 namespace {

@@ -1,6 +1,6 @@
 // Functions that run a hundred thousand times for the traces of all columns of a picture; built for
 // speed.
-#include "session/json_text.h"
+#include "answers/json_text.h"
 
 #include <algorithm>
 #include <cstdint>

@@ -1,8 +1,8 @@
 // Cells of a running world that are changed: what is drawn, what is solid, and how it goes back.
 #include "session/edit_cells.h"
 
-#include "drawn.h"
-#include "session/cells_json.h"
+#include "answers/cells_json.h"
+#include "session/drawn.h"
 #include "session/recording_text.h"
 #include "session/session.h"
 #include "world_builder.h"

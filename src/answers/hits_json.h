@@ -35,7 +35,7 @@
 //                      "first", "last" } ] }   a trace tells what is seen in them (trace_json.h)
 #pragma once
 
-#include "session/json_text.h"
+#include "answers/json_text.h"
 #include "session/session.h"
 #include "slicecast/picture.h"
 

@@ -1,4 +1,4 @@
-#include "session/hits_json.h"
+#include "answers/hits_json.h"
 
 #include <cstddef>
 

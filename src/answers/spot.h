@@ -5,7 +5,7 @@
 //     if (spot && spot->isSeen) ...      at spot->x, spot->y
 #pragma once
 
-#include "session/pick.h"
+#include "answers/pick.h"
 
 #include <optional>
 

@@ -73,7 +73,7 @@
 // examined, "rowsFilled" includes overpainted rows, and there is one level of detail.
 #pragma once
 
-#include "session/json_text.h"
+#include "answers/json_text.h"
 #include "session/session.h"
 
 #include <span>

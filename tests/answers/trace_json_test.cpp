@@ -1,10 +1,10 @@
 // What a trace tells is what the picture shows: its texels are those of the picture, its depths
 // those of the definition, and no row is missing.
-#include "session/trace_json.h"
+#include "answers/trace_json.h"
 
+#include "answers/hits_json.h"
 #include "base/angle.h"
 #include "session/hall.h"
-#include "session/hits_json.h"
 
 #include <gtest/gtest.h>
 #include <rapidjson/document.h>

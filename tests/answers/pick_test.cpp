@@ -1,6 +1,6 @@
 // pick names the texel that the picture has at a pixel, and project finds that pixel again from the
 // point that pick names.
-#include "session/pick.h"
+#include "answers/pick.h"
 
 #include "sanitized.h"
 #include "session/hall.h"

@@ -1,4 +1,4 @@
-#include "session/frame_trace.h"
+#include "answers/frame_trace.h"
 
 #include <algorithm>
 #include <array>

@@ -1,4 +1,4 @@
-#include "session/json_text.h"
+#include "answers/json_text.h"
 
 #include "base/number_text.h"
 

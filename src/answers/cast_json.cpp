@@ -1,7 +1,7 @@
-#include "session/cast_json.h"
+#include "answers/cast_json.h"
 
+#include "answers/hits_json.h"
 #include "base/named.h"
-#include "session/hits_json.h"
 
 #include <cstddef>
 

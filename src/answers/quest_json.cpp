@@ -1,6 +1,6 @@
-#include "session/quest_json.h"
+#include "answers/quest_json.h"
 
-#include "session/json_text.h"
+#include "answers/json_text.h"
 #include "session/session.h"
 
 namespace slicecast {

@@ -20,8 +20,8 @@
 //                "map", "point": [x, y], "distance" } }
 #pragma once
 
+#include "answers/json_text.h"
 #include "render/ask/cast.h"
-#include "session/json_text.h"
 
 namespace slicecast {
 

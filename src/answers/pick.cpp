@@ -1,8 +1,8 @@
-#include "session/pick.h"
+#include "answers/pick.h"
 
+#include "answers/hits_json.h"
+#include "answers/trace_json.h"
 #include "render/view/projection.h"
-#include "session/hits_json.h"
-#include "session/trace_json.h"
 
 #include <algorithm>
 #include <cmath>

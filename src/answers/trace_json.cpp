@@ -1,7 +1,7 @@
-#include "session/trace_json.h"
+#include "answers/trace_json.h"
 
-#include "session/frame_trace.h"
-#include "session/hits_json.h"
+#include "answers/frame_trace.h"
+#include "answers/hits_json.h"
 
 #include <array>
 #include <cstddef>

@@ -23,7 +23,7 @@
 // A pick is the nearest thing that has no hole at that pixel.
 #pragma once
 
-#include "session/json_text.h"
+#include "answers/json_text.h"
 #include "session/session.h"
 #include "world/line_of_sight.h"
 

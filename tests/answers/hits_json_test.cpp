@@ -1,5 +1,5 @@
 // What a column meets behind a portal, in a mirror, and of objects, as JSON.
-#include "session/hits_json.h"
+#include "answers/hits_json.h"
 #include "world_builder.h"
 
 #include <gtest/gtest.h>

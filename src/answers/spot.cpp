@@ -1,4 +1,4 @@
-#include "session/spot.h"
+#include "answers/spot.h"
 
 namespace slicecast {
 
