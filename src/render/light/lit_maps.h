@@ -100,7 +100,7 @@ private:
     };
     // Powers of two.
     static constexpr std::size_t kRecent = 4096;
-    static constexpr std::size_t kFirstRecordSlots = 1024;
+    static constexpr std::size_t kFirstRecordSlots = 512;
 
     struct LitObject {
         std::uint64_t touched = 0;
