@@ -14,7 +14,7 @@
 
 namespace slicecast {
 
-// Of a key's bits, those that differ most between similar keys, lowest.
+// A hash for a key. Similar keys get hashes that differ in their low bits.
 inline std::uint32_t scattered(std::uint64_t key) {
     return static_cast<std::uint32_t>(key * 0x9e3779b97f4a7c15u >> 32);
 }
